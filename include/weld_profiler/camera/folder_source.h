@@ -35,7 +35,8 @@ std::vector<std::string> listImages(const std::string& directory_or_glob);
 /// Decodes an image file into frame.pixels as mono8, mono16, bgr8 or bgr16. @throws InputError naming file and cause.
 void readImage(const std::string& path, Frame& frame);
 
-/// Plays the images of a folder at a fixed rate, stamped with the wall clock when due.
+/// Plays the images of a folder at a fixed rate, stamped with the wall clock when due. An image that cannot be read, or
+/// whose size or encoding is not the first one's, is Result::Failed and leaves a gap in the frame numbers.
 class FolderSource : public FrameSource
 {
 public:
@@ -46,11 +47,15 @@ public:
   std::string message() const override { return message_; }
 
 private:
+  bool waitUntilDue(double timeout_seconds);
+  void requireSameShape(const Frame& frame);
+
   FolderSourceParams params_;
   std::vector<std::string> files_;
   std::size_t index_ = 0;
   std::uint64_t number_ = 0;
   Stamp due_ = 0;
+  std::string shape_;  ///< size and encoding of the first image that could be read
   std::string message_;
 };
 }  // namespace weld_profiler

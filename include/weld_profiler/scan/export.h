@@ -10,8 +10,8 @@ namespace weld_profiler
 /// Formats saveScan knows: pcd (binary, organised, the fields of scan_points), ply (binary, valid points), csv.
 std::vector<std::string> scanFormats();
 
-/// Writes a scan, whole or not at all (a temporary file beside the target, then renamed). `time` is since the first row.
-/// Same scan -> same bytes.
+/// Writes a scan, whole or not at all (a temporary file beside the target, then renamed). `time` is since the first
+/// row. Same scan -> same bytes.
 /// @throws ConfigError unknown format, listing the known ones; InputError naming the path and the cause.
 void saveScan(const Scan& scan, const std::string& path, const std::string& format);
 }  // namespace weld_profiler

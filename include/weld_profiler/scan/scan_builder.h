@@ -14,22 +14,26 @@
 namespace weld_profiler
 {
 /// Profiles wait here, in order of arrival, until the pose source can place them; placed ones become rows of a scan.
+/// At all times balance().frames_in == balance().accounted() + waiting().
 /// The live nodelet and the offline command drive this same class. Not thread safe; the caller serialises.
 class ScanBuilder
 {
 public:
-  /// What happens on the way. Called from within addProfile, poll, finish and abandon.
+  /// What happens on the way. Called from within addProfile, poll, finish, timeBackwards and restart; they must not
+  /// call the builder back.
   struct Sinks
   {
-    std::function<void(const Profile&)> on_profile;  ///< each placed profile, whether it became a row or not
-    std::function<void(Scan&&)> on_scan;             ///< each ended scan that has at least one row
+    /// Each placed profile after the window's cut, whether it became a row or not. Before the on_scan it causes.
+    std::function<void(const Profile&)> on_profile;
+    std::function<void(Scan&&)> on_scan;  ///< each ended scan that has at least one row
   };
 
   /// @throws ConfigError as ScanParams::validate.
   ScanBuilder(const ScanParams& params, std::unique_ptr<PoseSource> poses, std::string frame_id, Sinks sinks);
 
   /// Takes a frame's points (none = no stripe) and places it as soon as it can be. Counts it in frames_in.
-  /// Time running backwards: what waits is given up (`time_backwards`) and the open scan is closed.
+  /// Time running backwards: what waits is given up (`time_backwards`) and the open scan is closed. When more than
+  /// max_waiting wait, the oldest is given up (`waiting_too_long`).
   void addProfile(SensorProfile profile);
 
   /// Places what can be placed; call after each new encoder sample or transform.
@@ -41,9 +45,16 @@ public:
   /// Time ran backwards at the encoder: waiting profiles are given up under `time_backwards`, the open scan is closed.
   void timeBackwards();
 
-  /// Begins from nothing: waiting profiles given up as `restarted`, open scan discarded to on_scan, pose source reset,
+  /// Begins from nothing: waiting profiles given up as `restarted`, open scan handed to on_scan, pose source reset,
   /// balance set to zero.
   void restart();
+
+  /// While not scanning, profiles are placed and handed to on_profile, become no row and are counted nowhere.
+  void setScanning(bool scanning) { scanning_ = scanning; }
+  bool scanning() const { return scanning_; }
+
+  /// Other settings from the next profile on. @throws ConfigError; the old ones stay.
+  void use(const ScanParams& params);
 
   void countDropped(const std::string& reason, std::uint64_t frames = 1);  ///< also counts them in frames_in
   const FrameBalance& balance() const { return balance_; }
@@ -53,7 +64,10 @@ public:
 
 private:
   void place(const SensorProfile& profile, const SensorPose& pose);
+  void hand(Scan&& scan);
+  void giveUpFirst(const std::string& reason);
   void giveUpWaiting(const std::string& reason);
+  void countUnplaced(const std::string& reason);
 
   std::unique_ptr<PoseSource> poses_;
   ScanParams params_;
@@ -62,5 +76,6 @@ private:
   std::deque<SensorProfile> waiting_;
   Stamp last_stamp_ = std::numeric_limits<Stamp>::min();
   FrameBalance balance_;
+  bool scanning_ = true;
 };
 }  // namespace weld_profiler

@@ -5,16 +5,17 @@
 
 #include "weld_profiler/core/stamp.h"
 #include "weld_profiler/stage/pose_source.h"
+#include "weld_profiler/stage/unplaced.h"
 
 namespace weld_profiler
 {
 /// Settings of EncoderTrack.
 struct EncoderParams
 {
-  double max_encoder_gap = 0.05;  ///< two samples further apart do not bracket a profile [s], (0, 10]
+  double max_encoder_gap = 0.05;  ///< two samples further apart do not bracket a profile [s], [1e-6, 10]
   int max_samples = 20000;        ///< samples remembered, 2..10000000
 
-  void validate() const;          ///< @throws ConfigError naming field, value and range
+  void validate() const;  ///< @throws ConfigError naming field, value and range
 
   template <class Visitor>
   void visit(Visitor&& v)
@@ -24,9 +25,10 @@ struct EncoderParams
   }
 };
 
-/// Encoder samples and the stage position between them: linear, never extrapolated.
+/// Encoder samples and the stage position between them: linear, never extrapolated. Not thread safe.
 /// Time running backwards (a looping bag) forgets all earlier samples. A NaN sample is kept as a hole: what it would
-/// bracket is not placed (`encoder_not_finite`). Two samples of one stamp: the later replaces the earlier.
+/// bracket is not placed (`encoder_not_finite`). Two samples of one stamp: the later replaces the earlier. A stamp at
+/// which there is a sample is placed there, however far its neighbours are.
 class EncoderTrack
 {
 public:
@@ -34,9 +36,10 @@ public:
   {
     PoseAnswer::Kind kind = PoseAnswer::Kind::Wait;
     double position = 0.0;  ///< [m], with Placed
-    const char* reason = "no_encoder";
+    const char* reason = unplaced::kNoEncoder;
   };
 
+  /// @throws ConfigError as EncoderParams::validate.
   explicit EncoderTrack(const EncoderParams& params);
 
   /// @param position  [m].
@@ -44,12 +47,13 @@ public:
   bool add(Stamp stamp, double position);
 
   Answer at(Stamp stamp) const;
-  void reset();
+  void reset() { samples_.clear(); }
 
   bool empty() const { return samples_.empty(); }
-  Stamp latestStamp() const { return samples_.back().stamp; }
-  double latestPosition() const { return samples_.back().position; }
-  double speed() const;  ///< over the last samples (about 50 ms) [m/s]; 0 with fewer than two
+  std::size_t size() const { return samples_.size(); }
+  Stamp latestStamp() const { return samples_.empty() ? 0 : samples_.back().stamp; }           ///< 0 when empty
+  double latestPosition() const { return samples_.empty() ? 0.0 : samples_.back().position; }  ///< [m], 0 when empty
+  double speed() const;  ///< over the last samples (about 50 ms) [m/s]; 0 with fewer than two finite ones
 
 private:
   struct Sample

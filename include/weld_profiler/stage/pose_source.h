@@ -12,9 +12,9 @@ struct PoseAnswer
 {
   enum class Kind
   {
-    Placed,   ///< pose is valid
-    Wait,     ///< not bracketed yet, ask again after the next sample
-    Never     ///< cannot be placed any more; reason says why
+    Placed,  ///< pose is valid
+    Wait,    ///< not bracketed yet, ask again after the next sample
+    Never    ///< cannot be placed any more; reason says why
   };
   Kind kind = Kind::Wait;
   SensorPose pose;

@@ -1,0 +1,130 @@
+#include "weld_profiler/scan/export.h"
+
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/console/print.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include "weld_profiler/core/atomic_file.h"
+#include "weld_profiler/core/errors.h"
+#include "weld_profiler/scan/cloud_record.h"
+#include "weld_profiler/scan/csv_text.h"
+
+namespace weld_profiler
+{
+namespace
+{
+pcl::PCLPointCloud2 pclCloud(const std::vector<CloudRecord>& records, std::size_t width)
+{
+  pcl::PCLPointCloud2 cloud;
+  cloud.width = static_cast<std::uint32_t>(width);
+  cloud.height = static_cast<std::uint32_t>(records.size() / width);
+  cloud.point_step = sizeof(CloudRecord);
+  cloud.row_step = cloud.width * cloud.point_step;
+  cloud.is_dense = 0;
+  for (const CloudField& field : kCloudFields)
+  {
+    pcl::PCLPointField description;
+    description.name = field.name;
+    description.offset = field.offset;
+    description.datatype = field.is_float ? pcl::PCLPointField::FLOAT32 : pcl::PCLPointField::UINT8;
+    description.count = 1;
+    cloud.fields.push_back(description);
+  }
+  cloud.data.resize(records.size() * sizeof(CloudRecord));
+  std::memcpy(cloud.data.data(), records.data(), cloud.data.size());
+  return cloud;
+}
+
+/// While it lives PCL prints nothing: what goes wrong is told once, by our exception.
+class QuietPcl
+{
+public:
+  QuietPcl() : level_(pcl::console::getVerbosityLevel()) { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
+  ~QuietPcl() { pcl::console::setVerbosityLevel(level_); }
+  QuietPcl(const QuietPcl&) = delete;
+  QuietPcl& operator=(const QuietPcl&) = delete;
+
+private:
+  pcl::console::VERBOSITY_LEVEL level_;
+};
+
+/// PCL reports a full disk by exception, by return value or not at all: what is on the disk decides.
+/// @param marker  ends the file's header.
+/// @return where the data end.
+std::uintmax_t requireData(const AtomicFile& file, const std::string& marker, std::uintmax_t data_bytes)
+{
+  std::ifstream stream(file.temporaryPath(), std::ios::binary);
+  std::string head(4096, '\0');
+  stream.read(&head[0], static_cast<std::streamsize>(head.size()));
+  const std::size_t found = head.find(marker);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file.temporaryPath(), error);
+  if (found == std::string::npos || error || size < found + marker.size() + data_bytes)
+    throw file.failure("the file came out short, is the disk full?");
+  return found + marker.size() + data_bytes;
+}
+
+void writePcd(const Scan& scan, const AtomicFile& file)
+{
+  const pcl::PCLPointCloud2 cloud = pclCloud(organisedRecords(scan), scan.cells);
+  if (pcl::PCDWriter().writeBinary(file.temporaryPath(), cloud) != 0)
+    throw file.failure("PCL could not write it");
+  // PCL leaves a memory page of zeros behind the data
+  std::filesystem::resize_file(file.temporaryPath(), requireData(file, "DATA binary\n", cloud.data.size()));
+}
+
+void writePly(const Scan& scan, const AtomicFile& file)
+{
+  const std::vector<CloudRecord> records = validRecords(scan);
+  if (records.empty())
+    throw file.failure("the scan holds no point, and PLY has no holes; save it as pcd");
+  const pcl::PCLPointCloud2 cloud = pclCloud(records, records.size());
+  if (pcl::PLYWriter().writeBinary(file.temporaryPath(), cloud) != 0)
+    throw file.failure("PCL could not write it");
+  requireData(file, "end_header\n", records.size() * (sizeof(CloudRecord) - sizeof(CloudRecord::padding)));
+}
+
+void writeCsv(const Scan& scan, AtomicFile& file)
+{
+  file.write(csvText(scan));
+}
+}  // namespace
+
+std::vector<std::string> scanFormats()
+{
+  return { "pcd", "ply", "csv" };
+}
+
+void saveScan(const Scan& scan, const std::string& path, const std::string& format)
+{
+  requireOneOf("format", format, scanFormats());
+  if (scan.empty() || scan.cells == 0)
+    throw InputError("cannot write " + path + ": the scan holds no row; scan first");
+  AtomicFile file(path);
+  const QuietPcl quiet;
+  try
+  {
+    if (format == "pcd")
+      writePcd(scan, file);
+    else if (format == "ply")
+      writePly(scan, file);
+    else
+      writeCsv(scan, file);
+  }
+  catch (const Error&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    throw file.failure(error.what());
+  }
+  file.commit();
+}
+}  // namespace weld_profiler

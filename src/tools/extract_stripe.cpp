@@ -1,0 +1,151 @@
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "tools/params_file.h"
+#include "tools/progress.h"
+#include "tools/run_command.h"
+#include "tools/staged_output.h"
+#include "tools/stripe_csv.h"
+#include "weld_profiler/camera/folder_source.h"
+#include "weld_profiler/stripe/overlay.h"
+#include "weld_profiler/stripe/stripe_methods.h"
+#include "weld_profiler/stripe/stripe_stage.h"
+
+namespace weld_profiler
+{
+namespace
+{
+struct Options
+{
+  std::string method;
+  std::string params;
+  std::string direction;
+  std::string channel;
+  bool overlay = false;
+  int overlay_scale = 1;
+  std::string out;
+  std::vector<std::string> images;
+};
+
+std::string methodList()
+{
+  std::string list;
+  for (const std::string& name : stripeMethods())
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+void declare(CommandLine& command, Options& options)
+{
+  command.option("method NAME", options.method, "how centres are found: " + methodList());
+  command.option("params FILE", options.params,
+                 "YAML with the parameters of stripe extraction, flat or in a section `stripe_centre:`; the options "
+                 "here win over it");
+  command.option("direction D", options.direction,
+                 "auto (told from each image), u (the stripe runs along the rows) or v (along the columns)");
+  command.option("channel C", options.channel, "of colour images: red, green, blue, max or luminance");
+  command.flag("overlay", options.overlay, "also write DIR/<stem>.png: the image with what was found drawn on it");
+  command.option("overlay-scale N", options.overlay_scale, "enlarges that picture, 1..16");
+  command.option("out DIR", options.out, "where <stem>.csv goes, one for each image; created if needed");
+  command.required();
+  command.arguments("IMAGE...", options.images, "8 or 16 bit grey or colour images: png, jpg, bmp, tif, pgm");
+  command.example("extract_stripe --out centres frame0001.png frame0002.png");
+  command.example("extract_stripe --method svd --overlay --overlay-scale 4 --out centres frame0001.png");
+  command.example("extract_stripe --direction v --channel red --out centres scan/*.jpg");
+}
+
+StripeParams stripeParams(const Options& options)
+{
+  StripeParams params;
+  ParamsFile file(options.params);
+  file.load("stripe_centre", params);
+  file.refuseUnknown();
+  for (const auto& [chosen, field] : { std::make_pair(&options.method, &params.method),
+                                       std::make_pair(&options.direction, &params.direction),
+                                       std::make_pair(&options.channel, &params.channel) })
+    if (!chosen->empty())
+      *field = *chosen;
+  return params;
+}
+
+void refuseEqualStems(const std::vector<std::string>& images)
+{
+  std::map<std::string, std::string> seen;
+  for (const std::string& image : images)
+  {
+    const std::string stem = std::filesystem::path(image).stem().string();
+    const auto [earlier, added] = seen.emplace(stem, image);
+    if (!added)
+      throw InputError(image + ": its centres would go to " + stem + ".csv as those of " + earlier->second +
+                       "; give the two in separate runs with another --out");
+  }
+}
+
+void writeOverlay(const Frame& frame, const Stripe& stripe, const Workspace& workspace, const std::string& path,
+                  int scale)
+{
+  std::vector<unsigned char> png;
+  cv::imencode(".png", drawStripe(frame.view(), stripe, workspace.initial, scale), png);
+  writeFileWhole(path, std::string(png.begin(), png.end()));
+}
+
+/// @return the number of centres found.
+std::size_t extractOne(const StripeStage& stage, const Options& options, const std::string& image)
+{
+  Frame frame;
+  readImage(image, frame);
+  Workspace workspace;  // a fresh one: the images need not be of one scan, and each answer stands alone
+  workspace.keep_trace = options.overlay;
+  Stripe stripe;
+  stage.process(frame.view(), workspace, stripe);
+  const std::string base = (std::filesystem::path(options.out) / std::filesystem::path(image).stem()).string();
+  writeFileWhole(base + ".csv", stripeCsv(stripe));
+  if (options.overlay)
+    writeOverlay(frame, stripe, workspace, base + ".png", options.overlay_scale);
+  return stripe.size();
+}
+
+int extract(const Options& options)
+{
+  const StripeStage stage(stripeParams(options));
+  requireRange("--overlay-scale", options.overlay_scale, 1, 16);
+  refuseEqualStems(options.images);
+  makeOutputDirectory(options.out);
+  bool all_read = true;
+  std::size_t centres = 0;
+  Progress progress("extracting", options.images.size());
+  for (const std::string& image : options.images)
+  {
+    try
+    {
+      const std::size_t found = extractOne(stage, options, image);
+      centres += found;
+      if (found == 0)
+        progress.say("extract_stripe: " + image + ": no stripe found; its csv holds the header only");
+    }
+    catch (const Error& error)
+    {
+      all_read = false;
+      progress.say(std::string("extract_stripe: ") + error.what());
+    }
+    progress.step();
+  }
+  return !all_read ? kBadInput : centres == 0 ? kPoorResult : kGood;
+}
+}  // namespace
+}  // namespace weld_profiler
+
+int main(int argc, char** argv)
+{
+  weld_profiler::Options options;
+  weld_profiler::CommandLine command(
+      "extract_stripe",
+      "Finds the sub-pixel centre line of the laser stripe in each image and writes it as\n"
+      "DIR/<stem>.csv: u_px,v_px,normal_rad,intensity,width_px,sigma_px,flags,cell, a line a centre.\n"
+      "Pixel centres lie at integers; flags: 1 interpolated, 2 saturated, 4 ambiguous.");
+  weld_profiler::declare(command, options);
+  return weld_profiler::runCommand(command, argc, argv, [&] { return weld_profiler::extract(options); });
+}
