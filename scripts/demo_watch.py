@@ -102,7 +102,7 @@ def call(name, service, *arguments):
 
 def run(output, quiet_seconds, frame_shown):
     watch = Watch(frame_shown)
-    wait_for("profile", lambda: watch.profiles > 0, 120)
+    wait_for("profile", lambda: watch.profiles > 0, 300)
     wait_for("end of the scan", lambda: time.monotonic() - watch.last_profile > quiet_seconds, 900)
     call("stop_scan", Trigger)
     stopped = time.monotonic()

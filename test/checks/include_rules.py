@@ -41,7 +41,7 @@ LIBRARIES = re.compile(r"^(Eigen|opencv2|pcl|yaml-cpp|arpa|linux|net|netinet|sys
 SIMULATION_LIBRARIES = re.compile(r"^(Eigen|yaml-cpp)/")
 STANDARD = re.compile(r"^[a-z_0-9]+$")
 POSIX = {"dirent.h", "errno.h", "fcntl.h", "glob.h", "math.h", "poll.h", "pthread.h", "signal.h", "stdint.h", "stdio.h",
-         "stdlib.h", "string.h", "time.h", "unistd.h"}
+         "stdlib.h", "string.h", "strings.h", "time.h", "unistd.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
