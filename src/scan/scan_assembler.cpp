@@ -21,6 +21,12 @@ ScanAssembler::ScanAssembler(const ScanParams& params, std::string frame_id)
   scan_.frame_id = frame_id_;
 }
 
+void ScanAssembler::use(const ScanParams& params)
+{
+  params.validate();
+  params_ = params;
+}
+
 ScanAssembler::Result ScanAssembler::add(const Profile& profile)
 {
   if (!std::isfinite(profile.stage))

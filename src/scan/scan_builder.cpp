@@ -76,10 +76,17 @@ void ScanBuilder::place(const SensorProfile& profile, const SensorPose& pose)
 {
   if (!pose.cloud_T_camera.matrix().allFinite() || !std::isfinite(pose.stage))
   {
-    ++balance_.unplaced[unplaced::kPoseNotFinite];
+    countUnplaced(unplaced::kPoseNotFinite);
     return;
   }
   const Profile row = placed(profile, pose, params_);
+  if (!scanning_)
+  {
+    --balance_.frames_in;
+    if (sinks_.on_profile)
+      sinks_.on_profile(row);
+    return;
+  }
   ScanAssembler::Result result = assembler_.add(row);
   // counted before anybody is told, so that the balance holds inside the sinks as well
   if (result.outcome == ScanAssembler::Outcome::Skipped)
@@ -128,9 +135,15 @@ void ScanBuilder::restart()
   balance_ = FrameBalance{};
 }
 
+void ScanBuilder::use(const ScanParams& params)
+{
+  assembler_.use(params);
+  params_ = params;
+}
+
 void ScanBuilder::countDropped(const std::string& reason, std::uint64_t frames)
 {
-  if (frames == 0)
+  if (frames == 0 || !scanning_)
     return;
   balance_.frames_in += frames;
   balance_.dropped[reason] += frames;
@@ -139,7 +152,15 @@ void ScanBuilder::countDropped(const std::string& reason, std::uint64_t frames)
 void ScanBuilder::giveUpFirst(const std::string& reason)
 {
   waiting_.pop_front();
-  ++balance_.unplaced[reason];
+  countUnplaced(reason);
+}
+
+void ScanBuilder::countUnplaced(const std::string& reason)
+{
+  if (scanning_)
+    ++balance_.unplaced[reason];
+  else
+    --balance_.frames_in;
 }
 
 void ScanBuilder::giveUpWaiting(const std::string& reason)
