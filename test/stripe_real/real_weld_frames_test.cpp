@@ -152,7 +152,9 @@ TEST_P(RealWeldFrames, FindsTheMarkedStripe)
   }
   std::cout << GetParam() << " all: " << 100.0 * total.share() << " %, " << total.wrong << " further off" << std::endl;
   ASSERT_GT(total.marked, 8000) << "the loop above judged something";
-  EXPECT_GE(total.share(), GetParam() == StripeParams().method ? 0.95 : 0.90);
+  // measured 99.4 % for the default method; what is missing lies in the dark step of test103
+  EXPECT_GE(total.share(), GetParam() == StripeParams().method ? 0.98 : 0.90);
+  EXPECT_LE(total.wrong, total.marked / 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryMethod, RealWeldFrames, ::testing::ValuesIn(stripeMethods()),
