@@ -105,15 +105,15 @@ void ScanChain::addStripe(const StripeProfile& stripe)
   try
   {
     copyStripe(stripe, stripe_);
+    profile.direction = stripe_.direction;
+    profile.cells = stripe_.direction == Direction::AlongU ? stripe.image_width : stripe.image_height;
+    triangulator_->triangulate(stripe_, profile);
   }
   catch (const PreconditionError& error)
   {
     refuse("bad_message", error.what());
     return;
   }
-  profile.direction = stripe_.direction;
-  profile.cells = stripe_.direction == Direction::AlongU ? stripe.image_width : stripe.image_height;
-  triangulator_->triangulate(stripe_, profile);
   if (transforms_ != nullptr)
     transforms_->setCameraFrame(stripe.header.frame_id);
   builder_->addProfile(std::move(profile));

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <limits>
 
+#include <yaml-cpp/yaml.h>
+
 #include "tools/progress.h"
 #include "tools/run_command.h"
 #include "tools/scan_bag_writer.h"
@@ -8,8 +10,6 @@
 #include "weld_profiler/camera/folder_source.h"
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/geometry/calibration_file.h"
-
-#include <yaml-cpp/yaml.h>
 
 namespace weld_profiler
 {
@@ -112,7 +112,7 @@ int convert(const Options& options)
   names.joint = options.joint.empty() ? calibration.stage.joint : options.joint;
 
   StagedOutput output;
-  ScanBagWriter writer(output.file(options.out), names, calibration.camera);
+  ScanBagWriter writer(output, options.out, names, calibration.camera);
   writer.setEncoder(impliedEncoder(options, files.size(), calibration.stage.metres_per_unit));
   Progress progress("writing images", files.size());
   for (std::size_t i = 0; i < files.size(); ++i)

@@ -12,17 +12,39 @@
 
 namespace weld_profiler
 {
-ScanBagWriter::ScanBagWriter(const std::string& path, ScanBagNames names, const CameraCalibration& camera)
-  : path_(path), names_(std::move(names)), camera_(camera)
+ScanBagWriter::ScanBagWriter(StagedOutput& output, const std::string& target, ScanBagNames names,
+                             const CameraCalibration& camera)
+  : target_(target), names_(std::move(names)), camera_(camera), bag_(std::make_unique<rosbag::Bag>())
 {
   try
   {
-    bag_.open(path, rosbag::bagmode::Write);
+    bag_->open(output.file(target), rosbag::bagmode::Write);
   }
   catch (const rosbag::BagException& error)
   {
-    throw InputError(path + ": cannot be written: " + error.what());
+    giveUp(error.what());
   }
+}
+
+ScanBagWriter::~ScanBagWriter()
+{
+  try
+  {
+    if (bag_)
+      bag_->close();
+  }
+  catch (const rosbag::BagException&)
+  {
+    static_cast<void>(bag_.release());  // as in giveUp()
+  }
+}
+
+// The destructor of a Bag ends the file, and throws when that fails, too: with a full disk that would end the process.
+// So a bag that could not be written is left as it is until the process ends; its file is removed by StagedOutput.
+void ScanBagWriter::giveUp(const std::string& cause)
+{
+  static_cast<void>(bag_.release());
+  throw InputError(target_ + ": cannot be written (is the disk full?): " + cause);
 }
 
 template <class Message>
@@ -30,11 +52,11 @@ void ScanBagWriter::write(const std::string& topic, const Message& message, cons
 {
   try
   {
-    bag_.write(topic, toRosTime(stamp), message);
+    bag_->write(topic, toRosTime(stamp), message);
   }
   catch (const rosbag::BagException& error)
   {
-    throw InputError(path_ + ": cannot be written (disk full?): " + error.what());
+    giveUp(error.what());
   }
 }
 
@@ -94,11 +116,11 @@ void ScanBagWriter::close()
   writeSamplesUntil(std::numeric_limits<Stamp>::max());
   try
   {
-    bag_.close();
+    bag_->close();
   }
   catch (const rosbag::BagException& error)
   {
-    throw InputError(path_ + ": cannot be written (disk full?): " + error.what());
+    giveUp(error.what());
   }
 }
 }  // namespace weld_profiler

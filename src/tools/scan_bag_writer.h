@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rosbag/bag.h>
 
+#include "tools/staged_output.h"
 #include "weld_profiler/core/frame.h"
 #include "weld_profiler/geometry/calibration.h"
 
@@ -39,8 +42,12 @@ struct ScanBagNames
 class ScanBagWriter
 {
 public:
-  /// @throws InputError naming the path.
-  ScanBagWriter(const std::string& path, ScanBagNames names, const CameraCalibration& camera);
+  /// @param output  takes the bag in as `target`; commit it after close(). @throws InputError naming target and cause.
+  ScanBagWriter(StagedOutput& output, const std::string& target, ScanBagNames names, const CameraCalibration& camera);
+
+  ~ScanBagWriter();
+  ScanBagWriter(const ScanBagWriter&) = delete;
+  ScanBagWriter& operator=(const ScanBagWriter&) = delete;
 
   /// What the stage says over the whole scan; call before the first frame. Stamps must rise.
   void setEncoder(std::vector<EncoderSample> samples) { encoder_ = std::move(samples); }
@@ -59,11 +66,12 @@ private:
 
   template <class Message>
   void write(const std::string& topic, const Message& message, const Stamp& stamp);
+  [[noreturn]] void giveUp(const std::string& cause);
 
-  std::string path_;
+  std::string target_;
   ScanBagNames names_;
   CameraCalibration camera_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
   std::vector<EncoderSample> encoder_;
   std::vector<PoseSample> poses_;
   std::size_t next_encoder_ = 0;

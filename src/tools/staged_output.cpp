@@ -77,7 +77,7 @@ void StagedOutput::commit()
   for (const Entry& entry : entries_)
   {
     std::error_code error;
-    if (fs::is_directory(entry.target, error))
+    if (fs::is_directory(entry.target))
       fs::remove_all(entry.target, error);
     if (!error)
       fs::rename(entry.temporary, entry.target, error);

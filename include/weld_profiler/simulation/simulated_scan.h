@@ -66,6 +66,7 @@ public:
   std::vector<SimulatedPose> poses() const;             ///< with scene.motion tf; else empty
   const Calibration& calibration() const;               ///< the true one
   Direction direction() const;                          ///< along which the stripe runs
+  const SceneParams& scene() const;
 
 private:
   struct Impl;

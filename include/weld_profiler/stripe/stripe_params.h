@@ -23,9 +23,9 @@ struct StripeParams
   int median_size_px = 3;                   ///< median filter used to detect (never to estimate): 0 = off, 3, 5
   double hessian_sigma_px = 0.0;            ///< Gaussian of the derivatives [px]; 0 = 1.155 times the stripe's width
   std::string derivatives = "gaussian";     ///< of svd and pca: gaussian, sobel (the paper)
-  std::string taylor = "sound";             ///< sound: expanded where the derivatives are taken; literal: the paper's text
-  int max_gap_px = 20;                      ///< longest break repaired by a spline [px]; 0 = repair nothing
-  int edge_trim_px = 4;                     ///< cells at the image's edges never interpolated [px]
+  std::string taylor = "sound";  ///< sound: expanded where the derivatives are taken; literal: the paper's text
+  int max_gap_px = 20;           ///< longest break repaired by a spline [px]; 0 = repair nothing
+  int edge_trim_px = 4;          ///< cells at the image's edges never interpolated [px]
 
   /// @throws ConfigError naming field, value and range.
   void validate() const;

@@ -17,17 +17,22 @@ public:
   /// @throws ConfigError naming field, value and range.
   explicit StripeStage(const StripeParams& params);
 
-  /// @param image      mono8, mono16, bayer_*8/16, rgb8/16, bgr8/16, rgba8, bgra8; raw.
+  /// @param image      mono8, mono16, bayer_*8/16, rgb8/16, bgr8/16, rgba8/16, bgra8/16; raw.
   /// @param workspace  scratch, one a thread and stream. With direction `auto` it remembers the direction of the first
   ///                   frame with a stripe until Workspace::reset().
   /// @param stripe     u, v in full-resolution pixels of `image` (a region's offset and the Bayer grid are undone).
-  /// @throws PreconditionError for an empty image or an unknown encoding, naming the known ones.
+  /// @throws PreconditionError for an empty image, an unknown encoding (naming the known ones) or a region outside the
+  ///         image.
   void process(const RawImage& image, Workspace& workspace, Stripe& stripe) const;
 
   const StripeParams& params() const { return params_; }
 
 private:
+  void extractAlong(Direction direction, const ImageView& view, int pitch, Workspace& workspace, Stripe& stripe) const;
+  void extractAnyDirection(const ImageView& view, int pitch, Workspace& workspace, Stripe& stripe) const;
+
   StripeParams params_;
   std::unique_ptr<const StripeExtractor> extractor_;
+  std::unique_ptr<const StripeExtractor> every_second_pixel_;  ///< the same for the photosites of one colour
 };
 }  // namespace weld_profiler

@@ -30,9 +30,10 @@ public:
   std::optional<Direction> direction;  ///< found by `auto`, kept until reset()
   Stripe last;                         ///< last frame's stripe
   bool keep_trace = false;             ///< fill `initial` (the overlay wants it)
-  std::vector<InitialPoint> initial;   ///< one a centre of the last stripe, in full image coordinates; empty unless keep_trace
+  std::vector<InitialPoint>
+      initial;  ///< one a centre of the last stripe, in full image coordinates; empty unless keep_trace
 
-  struct Scratch;                      ///< private to the stripe room
+  struct Scratch;  ///< private to the stripe room
   Scratch& scratch() { return *scratch_; }
 
 private:

@@ -1,0 +1,78 @@
+#include "weld_profiler/simulation/simulated_scan.h"
+
+#include "simulation/renderer.h"
+#include "simulation/truth.h"
+
+namespace weld_profiler
+{
+struct SimulatedScan::Impl
+{
+  explicit Impl(const SceneParams& scene) : world(scene) {}
+  simulation::World world;
+};
+
+namespace
+{
+const SceneParams& checked(const SceneParams& scene)
+{
+  scene.validate();
+  return scene;
+}
+}  // namespace
+
+SimulatedScan::SimulatedScan(const SceneParams& scene) : impl_(new Impl(checked(scene))) {}
+
+SimulatedScan::~SimulatedScan() = default;
+
+int SimulatedScan::frameCount() const { return impl_->world.motion.frameCount(); }
+
+Stamp SimulatedScan::stamp(int frame) const { return impl_->world.motion.stamp(frame); }
+
+double SimulatedScan::stagePosition(Stamp stamp) const
+{
+  return impl_->world.motion.position(impl_->world.motion.seconds(stamp));
+}
+
+int SimulatedScan::width() const { return impl_->world.rig.camera().width(); }
+
+int SimulatedScan::height() const { return impl_->world.rig.camera().height(); }
+
+std::string SimulatedScan::encoding() const { return impl_->world.scene.sensor.encoding; }
+
+std::size_t SimulatedScan::step() const { return impl_->world.sensor.step(); }
+
+void SimulatedScan::render(int frame, std::vector<std::uint8_t>& pixels) const
+{
+  simulation::renderFrame(impl_->world, frame, pixels);
+}
+
+std::vector<TruthCentre> SimulatedScan::truth(int frame) const { return simulation::trueCentres(impl_->world, frame); }
+
+std::vector<SimulatedEncoderSample> SimulatedScan::encoder() const { return impl_->world.motion.encoder(); }
+
+std::vector<SimulatedPose> SimulatedScan::poses() const
+{
+  std::vector<SimulatedPose> result;
+  const simulation::World& world = impl_->world;
+  if (world.scene.motion != "tf")
+    return result;
+  for (const Stamp stamp : world.motion.samples(world.scene.pose_rate))
+  {
+    const simulation::RigPose pose = world.rig.pose(world.motion.seconds(stamp));
+    SimulatedPose sample;
+    sample.stamp = stamp;
+    for (int i = 0; i < 9; ++i)
+      sample.rotation[static_cast<std::size_t>(i)] = pose.rotation(i / 3, i % 3);
+    for (int i = 0; i < 3; ++i)
+      sample.translation[static_cast<std::size_t>(i)] = pose.camera[i];
+    result.push_back(sample);
+  }
+  return result;
+}
+
+const Calibration& SimulatedScan::calibration() const { return impl_->world.rig.calibration(); }
+
+Direction SimulatedScan::direction() const { return impl_->world.rig.direction(); }
+
+const SceneParams& SimulatedScan::scene() const { return impl_->world.scene; }
+}  // namespace weld_profiler

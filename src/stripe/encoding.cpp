@@ -1,0 +1,35 @@
+#include "encoding.h"
+
+#include "weld_profiler/core/errors.h"
+
+namespace weld_profiler
+{
+namespace
+{
+using Kind = Encoding::Kind;
+
+const Encoding kEncodings[] = {
+  { "mono8", Kind::Mono, 8, 1, 0, 0 },          { "mono16", Kind::Mono, 16, 1, 0, 0 },
+  { "rgb8", Kind::Colour, 8, 3, 0, 2 },         { "bgr8", Kind::Colour, 8, 3, 2, 0 },
+  { "rgba8", Kind::Colour, 8, 4, 0, 2 },        { "bgra8", Kind::Colour, 8, 4, 2, 0 },
+  { "rgb16", Kind::Colour, 16, 3, 0, 2 },       { "bgr16", Kind::Colour, 16, 3, 2, 0 },
+  { "rgba16", Kind::Colour, 16, 4, 0, 2 },      { "bgra16", Kind::Colour, 16, 4, 2, 0 },
+  { "bayer_rggb8", Kind::Bayer, 8, 1, 0, 3 },   { "bayer_bggr8", Kind::Bayer, 8, 1, 3, 0 },
+  { "bayer_gbrg8", Kind::Bayer, 8, 1, 2, 1 },   { "bayer_grbg8", Kind::Bayer, 8, 1, 1, 2 },
+  { "bayer_rggb16", Kind::Bayer, 16, 1, 0, 3 }, { "bayer_bggr16", Kind::Bayer, 16, 1, 3, 0 },
+  { "bayer_gbrg16", Kind::Bayer, 16, 1, 2, 1 }, { "bayer_grbg16", Kind::Bayer, 16, 1, 1, 2 },
+};
+}  // namespace
+
+const Encoding& findEncoding(const std::string& name)
+{
+  std::string known;
+  for (const Encoding& encoding : kEncodings)
+  {
+    if (name == encoding.name)
+      return encoding;
+    known += (known.empty() ? "" : ", ") + std::string(encoding.name);
+  }
+  throw PreconditionError("image encoding is '" + name + "', must be one of: " + known);
+}
+}  // namespace weld_profiler

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "candidates.h"
+#include "centre_line.h"
+#include "centroid.h"
+#include "channel.h"
+#include "continuity.h"
+#include "weld_profiler/stripe/workspace.h"
+
+namespace weld_profiler
+{
+/// The scratch memory of the stripe room.
+struct Workspace::Scratch
+{
+  // the stage's
+  ChannelMemory channel;
+  std::vector<std::uint8_t> transposed;
+  Stripe other;
+  std::vector<InitialPoint> other_initial;
+
+  // detection
+  FrameStatistics statistics;
+  CandidateFinder finder;
+  CandidateList candidates;
+  ContinuityTracker tracker;
+  std::vector<Seed> seeds;
+
+  // estimation
+  ColumnCentroid centroid;
+  std::vector<Centre> centres;
+  LineScatter scatter;
+};
+}  // namespace weld_profiler
