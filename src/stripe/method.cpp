@@ -7,12 +7,10 @@
 
 namespace weld_profiler
 {
-namespace
+void keepTrace(const std::vector<Centre>& centres, Workspace& workspace)
 {
-/// The pixel blocks and initial points, for the overlay.
-void keepTrace(const std::vector<Centre>& centres, std::vector<InitialPoint>& initial)
-{
-  initial.clear();
+  if (!workspace.keep_trace)
+    return;
   for (const Centre& centre : centres)
   {
     InitialPoint point;
@@ -20,10 +18,9 @@ void keepTrace(const std::vector<Centre>& centres, std::vector<InitialPoint>& in
     point.block_v = static_cast<float>(std::lround(centre.v));
     point.u = static_cast<float>(centre.u);
     point.v = static_cast<float>(centre.v);
-    initial.push_back(point);
+    workspace.initial.push_back(point);
   }
 }
-}  // namespace
 
 void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Workspace& workspace, Stripe& stripe) const
 {
@@ -38,8 +35,7 @@ void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Wor
   const Levels levels = levelsOf(image, params_);
   scratch.centroid.measure(image, levels, scratch.statistics, weight(), scratch.seeds, scratch.centres);
   measureSlopes(scratch.centres);
-  if (workspace.keep_trace)
-    keepTrace(scratch.centres, workspace.initial);
+  keepTrace(scratch.centres, workspace);
   refine(image, scratch);
   scratch.scatter.measure(scratch.centres);
   writeStripe(scratch.centres, scratch.scatter, params_, levels, stripe);

@@ -31,6 +31,12 @@ private:
   StripeParams params_;
 };
 
+/// Keeps the pixel blocks and initial points for the overlay, if the caller asked for them.
+void keepTrace(const std::vector<Centre>& centres, Workspace& workspace);
+
 std::unique_ptr<const StripeExtractor> makeGrayCentroid(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makeSquaredCentroid(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeSvd(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makePca(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeSteger(const StripeParams& params);
 }  // namespace weld_profiler
