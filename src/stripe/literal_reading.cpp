@@ -67,16 +67,13 @@ void LiteralReading::extract(const ImageView& image, const StripeHint& /*hint*/,
                   { return maskedCentroid<decltype(pixel)>(filtered, levels, statistics.otsu, centre); });
     if (!found)
       continue;
+    centre.initial_v = centre.v;
     centre.starts_piece = scratch.centres.empty() || std::abs(centre.v - scratch.centres.back().v) > kTear;
     scratch.centres.push_back(centre);
   }
   measureSlopes(scratch.centres);
-  keepTrace(scratch.centres, workspace);
   refine(filtered, scratch);
-  scratch.scatter.measure(scratch.centres);
-  writeStripe(scratch.centres, scratch.scatter, params_, levels, stripe);
-  if (stripe.empty())
-    stripe.status = StripeStatus::NoStripe;
+  finish(params_, levels, workspace, stripe);
 }
 
 void LiteralReading::refine(const ImageView& filtered, Workspace::Scratch& scratch) const

@@ -31,8 +31,8 @@ private:
   StripeParams params_;
 };
 
-/// Keeps the pixel blocks and initial points for the overlay, if the caller asked for them.
-void keepTrace(const std::vector<Centre>& centres, Workspace& workspace);
+/// The way out of every method: measures the scatter, writes the stripe and, if the caller asked for it, the trace.
+void finish(const StripeParams& params, const Levels& levels, Workspace& workspace, Stripe& stripe);
 
 std::unique_ptr<const StripeExtractor> makeGrayCentroid(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makeSquaredCentroid(const StripeParams& params);

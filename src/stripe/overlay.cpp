@@ -86,8 +86,11 @@ void drawNormals(cv::Mat& picture, const Stripe& stripe, const Enlarged& enlarge
   const double length = detail ? 3.0 : kNormalSpacing / enlarged.scale;
   for (std::size_t i = 0; i < stripe.size(); i += every)
   {
-    const double u = stripe.u[i] + length * std::cos(stripe.normal_angle[i]);
-    const double v = stripe.v[i] + length * std::sin(stripe.normal_angle[i]);
+    // Of the two directions across the stripe always the one that points up.
+    const double side =
+        std::sin(stripe.normal_angle[i]) > 0.0 && stripe.direction == Direction::AlongU ? -length : length;
+    const double u = stripe.u[i] + side * std::cos(stripe.normal_angle[i]);
+    const double v = stripe.v[i] + side * std::sin(stripe.normal_angle[i]);
     cv::arrowedLine(picture, enlarged.at(stripe.u[i], stripe.v[i]), enlarged.at(u, v), kWhite, 1, cv::LINE_AA, kShift,
                     0.2);
   }
