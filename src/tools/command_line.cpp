@@ -180,6 +180,8 @@ std::size_t CommandLine::readOption(const std::vector<std::string>& words, std::
 bool CommandLine::parse(int argc, const char* const* argv)
 {
   const std::vector<std::string> words(argv + 1, argv + argc);
+  for (Option& option : options_)
+    option.given = false;
   std::vector<std::string> rest;
   for (std::size_t at = 0; at < words.size();)
   {
