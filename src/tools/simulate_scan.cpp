@@ -34,9 +34,10 @@ std::string presetList()
 
 void declare(CommandLine& command, Options& options)
 {
-  command.option("scene FILE", options.scene,
-                 "YAML with what differs from a preset: part, weld, rig, motion, light; every scan's BAG.truth/scene.yaml "
-                 "is one, with all fields");
+  command.option(
+      "scene FILE", options.scene,
+      "YAML with what differs from a preset: part, weld, rig, motion, light; every scan's BAG.truth/scene.yaml "
+      "is one, with all fields");
   command.option("preset NAME", options.preset, "a ready scene instead: " + presetList());
   command.option("out BAG", options.out, "the bag to write; the truth goes to BAG.truth/");
   command.required();

@@ -29,9 +29,8 @@ inline BagContents readBag(const std::string& path)
   BagContents contents;
   rosbag::Bag bag(path, rosbag::bagmode::Read);
   rosbag::View view(bag);
-  const auto check = [&](const rosbag::MessageInstance& instance, const std_msgs::Header& header) {
-    contents.times_are_stamps = contents.times_are_stamps && instance.getTime() == header.stamp;
-  };
+  const auto check = [&](const rosbag::MessageInstance& instance, const std_msgs::Header& header)
+  { contents.times_are_stamps = contents.times_are_stamps && instance.getTime() == header.stamp; };
   for (const rosbag::MessageInstance& instance : view)
   {
     ++contents.topics[instance.getTopic()];

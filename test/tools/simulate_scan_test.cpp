@@ -108,9 +108,11 @@ TEST_F(SimulateScan, BadScenesAndOutputsAreOneLineAndLeaveNothing)
 {
   write("typo.yaml", "frame_cuont: 3\n");
   write("range.yaml", "exposure: -1\n");
-  const std::vector<std::string> bad = { "--scene none.yaml --out weld.bag", "--scene typo.yaml --out weld.bag",
-                                         "--scene range.yaml --out weld.bag", "--preset nice --out weld.bag",
-                                         "--scene scene.yaml --out no/weld.bag", "--scene scene.yaml --out /proc/weld.bag" };
+  const std::vector<std::string> bad = {
+    "--scene none.yaml --out weld.bag",     "--scene typo.yaml --out weld.bag",
+    "--scene range.yaml --out weld.bag",    "--preset nice --out weld.bag",
+    "--scene scene.yaml --out no/weld.bag", "--scene scene.yaml --out /proc/weld.bag"
+  };
   for (const std::string& arguments : bad)
   {
     const CommandResult result = simulate(arguments);
