@@ -33,7 +33,8 @@ cv::Mat asMat(const ImageView& view)
   return { view.height, view.width, matType(view), const_cast<std::uint8_t*>(view.data), view.step };
 }
 
-// __restrict (GCC, Clang): without the promise that the results overlap nothing these loops stay scalar, ten times slower.
+// __restrict (GCC, Clang): without the promise that the results overlap nothing these loops stay scalar, ten times
+// slower.
 
 template <class Pixel>
 Pixel medianOfThree(Pixel a, Pixel b, Pixel c)
@@ -119,13 +120,15 @@ void TiledMedian::filterSpan(int tile_row, int first_tile, int last_tile)
   span.v = tile_row * kTileRows;
   span.width = std::min(image_.width, (last_tile + 1) * kTileColumns) - span.u;
   span.height = std::min(image_.height, span.v + kTileRows) - span.v;
-  withPixel(image_, [&](auto pixel) {
-    using Pixel = decltype(pixel);
-    if (size_ == 3)
-      filterSpan3<Pixel>(span);
-    else
-      filterSpan5<Pixel>(span);
-  });
+  withPixel(image_,
+            [&](auto pixel)
+            {
+              using Pixel = decltype(pixel);
+              if (size_ == 3)
+                filterSpan3<Pixel>(span);
+              else
+                filterSpan5<Pixel>(span);
+            });
 }
 
 /// Median of nine by sorted columns: the median of the largest low, the middle middle and the smallest high.
