@@ -30,10 +30,12 @@ public:
 
   LitLine shade(const SheetCut& cut, const std::vector<CutPoint>& points) const;
 
+  /// The light that the surface mirrors onto itself once, where the camera sees it arrive.
+  LitLine mirror(const SheetCut& cut, const std::vector<CutPoint>& points) const;
+
   /// Metres of surface a pixel, along the stripe and across it, on the flat plate.
   double alongScale() const { return along_scale_; }
   double acrossScale() const { return across_scale_; }
-  double lensSigma() const { return laser_.lens_sigma_px; }
 
 private:
   struct Footprint
@@ -42,6 +44,8 @@ private:
     double sheet_rate;      ///< movement across the sheet with it [m/px]
   };
 
+  LitPoint light(const SheetCut& cut, const CutPoint& point, const Eigen::Vector2d& slope) const;
+  bool bounce(const SheetCut& cut, const CutPoint& from, LitPoint& arrived) const;
   Footprint footprint(const SheetCut& cut, const CutPoint& point, const Eigen::Vector2d& slope) const;
   double brightness(const RigPose& pose, const Eigen::Vector3d& position, const Eigen::Vector3d& normal) const;
 

@@ -67,7 +67,7 @@ bool SheetCut::at(double t, CutPoint& point) const
   constexpr double kSettled = 1e-10;  // [m]
   constexpr double kUpright = 1e-9;
   const double squared = ahead_.squaredNorm();
-  double z = 0.5 * (surface_.lowest() + surface_.highest());
+  double z = point.position.z();
   for (int i = 0; i < kIterations; ++i)
   {
     const double reach = (pose_.sheet_distance - pose_.sheet_normal.z() * z) / squared;
@@ -95,6 +95,8 @@ std::vector<CutPoint> SheetCut::trace() const
   for (int i = 0; i < count; ++i)
   {
     CutPoint point;
+    if (!points.empty())
+      point.position.z() = points.back().position.z();
     if (!at(first_t_ + i * step, point))
       continue;
     if (last == i - 1)

@@ -39,6 +39,7 @@ public:
   std::vector<CutPoint> trace() const;
 
   /// Where the sheet meets the surface at t; false where it slips between (the edge of a wall).
+  /// @param point  its height on entry is where the search begins.
   bool at(double t, CutPoint& point) const;
 
   StripePixel project(const Eigen::Vector3d& fixed) const;

@@ -1,6 +1,9 @@
 #include "weld_profiler/simulation/simulated_scan.h"
 
+#include <algorithm>
+
 #include "simulation/renderer.h"
+#include "simulation/true_sections.h"
 #include "simulation/truth.h"
 
 namespace weld_profiler
@@ -75,4 +78,22 @@ const Calibration& SimulatedScan::calibration() const { return impl_->world.rig.
 Direction SimulatedScan::direction() const { return impl_->world.rig.direction(); }
 
 const SceneParams& SimulatedScan::scene() const { return impl_->world.scene; }
+
+double SimulatedScan::surfaceHeight(double x, double y) const { return impl_->world.surface.height(x, y); }
+
+std::array<double, 4> SimulatedScan::extent() const
+{
+  const simulation::World& world = impl_->world;
+  const double duration = world.motion.duration();
+  const double low = world.motion.lowest();
+  const double high = std::max(world.motion.position(0.0), world.motion.position(duration));
+  const std::vector<simulation::CutPoint> points = world.cut(0.5 * duration).trace();
+  if (points.empty())
+    return { { 0.0, 0.0, low, high } };
+  const double first = points.front().position.x();
+  const double last = points.back().position.x();
+  return { { std::min(first, last), std::max(first, last), low, high } };
+}
+
+std::vector<WeldTruth> SimulatedScan::weldSections() const { return simulation::trueSections(impl_->world); }
 }  // namespace weld_profiler

@@ -50,6 +50,7 @@ private:
   void fillGaps(int reach);
 
   int cells_, columns_wide_, first_, last_;
+  int low_ = 0, high_ = 0;           ///< rows that the line in work touches, high_ excluded
   std::vector<float> sum_;
   std::vector<float> sheet_, lens_;  ///< scratch of one line
   std::vector<Column> columns_;

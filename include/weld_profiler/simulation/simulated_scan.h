@@ -10,6 +10,7 @@
 #include "weld_profiler/core/stripe.h"
 #include "weld_profiler/geometry/calibration.h"
 #include "weld_profiler/simulation/scene_params.h"
+#include "weld_profiler/simulation/weld_truth.h"
 
 namespace weld_profiler
 {
@@ -67,6 +68,13 @@ public:
   const Calibration& calibration() const;               ///< the true one
   Direction direction() const;                          ///< along which the stripe runs
   const SceneParams& scene() const;
+
+  /// True surface as a height over the cloud's x and y [m].
+  double surfaceHeight(double x, double y) const;
+  /// What the scan passes over, in the cloud's frame: x from, x to, y from, y to [m].
+  std::array<double, 4> extent() const;
+  /// True dimensions of the bead, one section for each frame whose sheet crosses the weld, rising frames.
+  std::vector<WeldTruth> weldSections() const;
 
 private:
   struct Impl;
