@@ -79,11 +79,20 @@ void writePcd(const Scan& scan, const AtomicFile& file)
   std::filesystem::resize_file(file.temporaryPath(), requireData(file, "DATA binary\n", cloud.data.size()));
 }
 
-void writePly(const Scan& scan, const AtomicFile& file)
+/// What PCL refuses to write: a cloud without a point.
+std::string emptyPly()
+{
+  std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex 0\n";
+  for (const CloudField& field : kCloudFields)
+    text += std::string("property ") + (field.is_float ? "float " : "uchar ") + field.name + "\n";
+  return text + "end_header\n";
+}
+
+void writePly(const Scan& scan, AtomicFile& file)
 {
   const std::vector<CloudRecord> records = validRecords(scan);
   if (records.empty())
-    throw file.failure("the scan holds no point, and PLY has no holes; save it as pcd");
+    return file.write(emptyPly());
   const pcl::PCLPointCloud2 cloud = pclCloud(records, records.size());
   if (pcl::PLYWriter().writeBinary(file.temporaryPath(), cloud) != 0)
     throw file.failure("PCL could not write it");

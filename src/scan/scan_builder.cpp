@@ -46,7 +46,12 @@ void ScanBuilder::addProfile(SensorProfile profile)
 {
   ++balance_.frames_in;
   if (profile.stamp < last_stamp_)
+  {
+    // The images came back before the encoder did: its samples are of the time before, and would place by chance.
+    if (last_placed_ && poses_->at(*last_placed_).kind == PoseAnswer::Kind::Placed)
+      poses_->reset();
     timeBackwards();
+  }
   last_stamp_ = profile.stamp;
   waiting_.push_back(std::move(profile));
   poll();
@@ -68,6 +73,7 @@ void ScanBuilder::poll()
     }
     const SensorProfile profile = std::move(waiting_.front());
     waiting_.pop_front();
+    last_placed_ = profile.stamp;
     place(profile, answer.pose);
   }
 }
@@ -76,10 +82,17 @@ void ScanBuilder::place(const SensorProfile& profile, const SensorPose& pose)
 {
   if (!pose.cloud_T_camera.matrix().allFinite() || !std::isfinite(pose.stage))
   {
-    ++balance_.unplaced[unplaced::kPoseNotFinite];
+    countUnplaced(unplaced::kPoseNotFinite);
     return;
   }
   const Profile row = placed(profile, pose, params_);
+  if (!scanning_)
+  {
+    --balance_.frames_in;
+    if (sinks_.on_profile)
+      sinks_.on_profile(row);
+    return;
+  }
   ScanAssembler::Result result = assembler_.add(row);
   // counted before anybody is told, so that the balance holds inside the sinks as well
   if (result.outcome == ScanAssembler::Outcome::Skipped)
@@ -116,6 +129,7 @@ void ScanBuilder::timeBackwards()
 {
   giveUpWaiting(unplaced::kTimeBackwards);
   last_stamp_ = std::numeric_limits<Stamp>::min();
+  last_placed_.reset();
   hand(assembler_.close(ScanEnd::Stopped));
 }
 
@@ -125,12 +139,19 @@ void ScanBuilder::restart()
   hand(assembler_.close(ScanEnd::Stopped));
   poses_->reset();
   last_stamp_ = std::numeric_limits<Stamp>::min();
+  last_placed_.reset();
   balance_ = FrameBalance{};
+}
+
+void ScanBuilder::use(const ScanParams& params)
+{
+  assembler_.use(params);
+  params_ = params;
 }
 
 void ScanBuilder::countDropped(const std::string& reason, std::uint64_t frames)
 {
-  if (frames == 0)
+  if (frames == 0 || !scanning_)
     return;
   balance_.frames_in += frames;
   balance_.dropped[reason] += frames;
@@ -139,7 +160,15 @@ void ScanBuilder::countDropped(const std::string& reason, std::uint64_t frames)
 void ScanBuilder::giveUpFirst(const std::string& reason)
 {
   waiting_.pop_front();
-  ++balance_.unplaced[reason];
+  countUnplaced(reason);
+}
+
+void ScanBuilder::countUnplaced(const std::string& reason)
+{
+  if (scanning_)
+    ++balance_.unplaced[reason];
+  else
+    --balance_.frames_in;
 }
 
 void ScanBuilder::giveUpWaiting(const std::string& reason)

@@ -23,6 +23,7 @@ public:
   void triangulate(const Stripe& stripe, SensorProfile& profile) const;
 
   const Calibration& calibration() const { return calibration_; }
+  const CameraModel& camera() const { return camera_; }
 
 private:
   bool triangulatePoint(const StripePoint& centre, SensorPoint& point) const;

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <Eigen/Geometry>
+#include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
@@ -35,6 +37,17 @@ sensor_msgs::CameraInfo cameraInfoMessage(const CameraCalibration& camera);
 /// One joint, position in the joint's units.
 sensor_msgs::JointState jointStateMessage(Stamp stamp, const std::string& joint, double position);
 
+/// Who is where: child's pose in parent.
+struct FrameNames
+{
+  std::string parent;
+  std::string child;
+};
+
+/// p_parent = rotation * p_child + translation.
+geometry_msgs::TransformStamped transformMessage(Stamp stamp, const Eigen::Matrix3d& rotation,
+                                                 const Eigen::Vector3d& translation, const FrameNames& frames);
+
 /// Says in one line why camera_info does not fit the calibration or the image (size, ROI, binning, K within 1e-6
 /// relative, zero K); empty = fits.
 std::string cameraInfoMismatch(const sensor_msgs::CameraInfo& info, const CameraCalibration& camera);
@@ -45,7 +58,10 @@ CameraCalibration cameraFromInfo(const sensor_msgs::CameraInfo& info);
 
 /// Swaps the stripe's arrays into the message's (and the message's old ones into the stripe): no copy.
 void swapStripe(Stripe& stripe, StripeProfile& message);
-Stripe stripeFromMessage(const StripeProfile& message);
+
+/// Copies the message's arrays into a stripe, reusing its memory.
+/// @throws PreconditionError when the arrays have different lengths.
+void copyStripe(const StripeProfile& message, Stripe& stripe);
 
 /// point_step 32: x y z intensity sigma stage time (FLOAT32) and flags (UINT8) at 28. One row, valid points only.
 sensor_msgs::PointCloud2Ptr profileCloud(const Profile& profile, const std::string& frame_id);

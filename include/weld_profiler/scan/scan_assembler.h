@@ -35,6 +35,9 @@ public:
   /// Closes the open scan; empty when it has no row. The next profile is a row and begins the next scan.
   Scan close(ScanEnd end);
 
+  /// Other settings from the next profile on; the open scan goes on. @throws ConfigError; the old ones stay.
+  void use(const ScanParams& params);
+
   const Scan& open() const { return scan_; }
 
 private:

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "weld_profiler/core/balance.h"
 #include "weld_profiler/core/scan.h"
@@ -49,6 +50,13 @@ public:
   /// balance set to zero.
   void restart();
 
+  /// While not scanning, profiles are placed and handed to on_profile, become no row and are counted nowhere.
+  void setScanning(bool scanning) { scanning_ = scanning; }
+  bool scanning() const { return scanning_; }
+
+  /// Other settings from the next profile on. @throws ConfigError; the old ones stay.
+  void use(const ScanParams& params);
+
   void countDropped(const std::string& reason, std::uint64_t frames = 1);  ///< also counts them in frames_in
   const FrameBalance& balance() const { return balance_; }
   const Scan& openScan() const { return assembler_.open(); }
@@ -60,6 +68,7 @@ private:
   void hand(Scan&& scan);
   void giveUpFirst(const std::string& reason);
   void giveUpWaiting(const std::string& reason);
+  void countUnplaced(const std::string& reason);
 
   std::unique_ptr<PoseSource> poses_;
   ScanParams params_;
@@ -67,6 +76,8 @@ private:
   Sinks sinks_;
   std::deque<SensorProfile> waiting_;
   Stamp last_stamp_ = std::numeric_limits<Stamp>::min();
+  std::optional<Stamp> last_placed_;
   FrameBalance balance_;
+  bool scanning_ = true;
 };
 }  // namespace weld_profiler

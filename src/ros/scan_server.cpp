@@ -1,0 +1,275 @@
+#include "weld_profiler/ros/scan_server.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <std_msgs/Header.h>
+
+#include "weld_profiler/core/errors.h"
+#include "weld_profiler/ros/diagnostics.h"
+#include "weld_profiler/ros/messages.h"
+#include "weld_profiler/scan/export.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr double kLogPeriod = 5.0;    // seconds between two lines about the same trouble
+constexpr double kPollPeriod = 2e-3;  // how often tf is asked for what waits [s]
+
+ScanParams forReplay(ScanParams scan, bool lossless)
+{
+  if (lossless)
+    scan.max_waiting = 1000000;  // what waits for its bracketing sample is never given up
+  return scan;
+}
+}  // namespace
+
+void ScanServerParams::validate() const { chain.validate(); }
+
+ScanServer::ScanServer(const Handles& handles, const ScanServerParams& params, const Calibration& calibration)
+  : handles_(handles), params_(params), updater_(handles.node, handles.own, handles.name)
+{
+  ScanChainParams chain = params.chain;
+  chain.scan = forReplay(chain.scan, params.lossless);
+  ScanBuilder::Sinks sinks;
+  sinks.on_profile = [this](const Profile& profile) { onProfile(profile); };
+  sinks.on_scan = [this](Scan&& scan) { onScan(std::move(scan)); };
+  chain_ = std::make_unique<ScanChain>(chain, calibration, transforms_, std::move(sinks));
+  chain_->builder().setScanning(params.auto_start);
+  profiles_ = handles_.node.advertise<sensor_msgs::PointCloud2>("profile_points", 64);
+  scans_ = handles_.node.advertise<sensor_msgs::PointCloud2>("scan_points", 1, true);
+  started_ = handles_.node.advertise<std_msgs::Header>("scan_started", 1);
+  updater_.setHardwareID("none");
+  updater_.add("triangulation", this, &ScanServer::diagnose);
+}
+
+ScanServer::~ScanServer()
+{
+  for (ros::WallTimer& timer : timers_)
+    timer.stop();
+  for (ros::Subscriber& subscriber : subscribers_)
+    subscriber.shutdown();
+  for (ros::ServiceServer& service : services_)
+    service.shutdown();
+}
+
+void ScanServer::subscribe()
+{
+  ros::NodeHandle& node = handles_.node;
+  services_ = { handles_.services.advertiseService("start_scan", &ScanServer::startScan, this),
+                handles_.services.advertiseService("stop_scan", &ScanServer::stopScan, this),
+                handles_.services.advertiseService("save_scan", &ScanServer::saveScanFile, this) };
+  timers_.push_back(node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { onSecond(); }));
+  const std::uint32_t queue = params_.lossless ? 0 : 64;
+  const std::uint32_t joint_queue = params_.lossless ? 0 : 2000;
+  if (params_.chain.motion == "tf")
+  {
+    listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_);
+    timers_.push_back(
+        node.createWallTimer(ros::WallDuration(kPollPeriod), [this](const ros::WallTimerEvent&) { onPoll(); }));
+  }
+  subscribers_ = { node.subscribe("camera_info", queue, &ScanServer::onCameraInfo, this),
+                   node.subscribe("joint_states", joint_queue, &ScanServer::onJoints, this),
+                   node.subscribe("stripe", queue, &ScanServer::onStripe, this) };
+}
+
+void ScanServer::use(const ScanParams& params)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  chain_->builder().use(forReplay(params, params_.lossless));
+}
+
+void ScanServer::onStripe(const StripeProfileConstPtr& stripe)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  camera_frame_ = stripe->header.frame_id;
+  countGap(*stripe);
+  chain_->addStripe(*stripe);
+  sayProblem();
+}
+
+/// A gap in the count of the stripe nodelet: stripes that were published and never came here.
+void ScanServer::countGap(const StripeProfile& stripe)
+{
+  const std::uint32_t seq = stripe.header.seq;
+  if (last_stripe_seq_ != 0 && seq > last_stripe_seq_ + 1)
+    chain_->builder().countDropped("lost_before_arrival", seq - last_stripe_seq_ - 1);
+  last_stripe_seq_ = seq;
+}
+
+void ScanServer::onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  chain_->addCameraInfo(*info);
+}
+
+void ScanServer::onJoints(const sensor_msgs::JointStateConstPtr& joints)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++joint_messages_;
+  if (chain_->addJoints(*joints))
+  {
+    joint_found_ = true;
+    broadcastScanFrame();
+  }
+  else if (!joint_found_)
+  {
+    std::string names;
+    for (const std::string& name : joints->name)
+      names += (names.empty() ? "" : ", ") + name;
+    ROS_WARN_STREAM_THROTTLE_NAMED(kLogPeriod, handles_.name,
+                                   "[" << handles_.name << "] joint '" << chain_->calibration().stage.joint
+                                       << "' is not in joint_states (there are: " << names
+                                       << "), set stage/joint in the calibration file");
+  }
+}
+
+void ScanServer::onProfile(const Profile& profile)
+{
+  const ros::Time now = ros::Time::now();
+  age_.add((now - toRosTime(profile.stamp)).toSec(), now.toSec());
+  if (profiles_.getNumSubscribers() > 0)
+    profiles_.publish(sensor_msgs::PointCloud2ConstPtr(profileCloud(profile, chain_->cloudFrame())));
+}
+
+void ScanServer::onScan(Scan&& scan)
+{
+  last_scan_ = std::make_shared<const Scan>(std::move(scan));
+  ++scans_ended_;
+  published_rows_ = 0;
+  scans_.publish(sensor_msgs::PointCloud2ConstPtr(scanCloud(*last_scan_)));
+}
+
+void ScanServer::onPoll()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  chain_->poll();
+}
+
+void ScanServer::onSecond()
+{
+  sensor_msgs::PointCloud2ConstPtr cloud;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const Scan& open = chain_->builder().openScan();
+    if (scans_.getNumSubscribers() > 0 && open.rows.size() > published_rows_)
+    {
+      published_rows_ = open.rows.size();
+      scans_.publish(sensor_msgs::PointCloud2ConstPtr(scanCloud(open)));
+    }
+  }
+  updater_.force_update();
+}
+
+bool ScanServer::startScan(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  chain_->builder().restart();
+  chain_->builder().setScanning(true);
+  last_stripe_seq_ = 0;
+  announceStart();
+  response.success = true;
+  response.message = "scanning";
+  return true;
+}
+
+bool ScanServer::stopScan(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!chain_->builder().scanning())
+  {
+    response.success = false;
+    response.message = "no scan is open, call start_scan first";
+    return true;
+  }
+  chain_->builder().finish();
+  chain_->builder().setScanning(false);
+  const FrameBalance& balance = chain_->builder().balance();
+  response.success = true;
+  response.message = std::to_string(balance.rows) + " rows of " + std::to_string(balance.frames_in) + " frames";
+  return true;
+}
+
+std::shared_ptr<const Scan> ScanServer::scanToSave()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!chain_->builder().openScan().empty())
+    return std::make_shared<const Scan>(chain_->builder().openScan());
+  return last_scan_;
+}
+
+bool ScanServer::saveScanFile(SaveScan::Request& request, SaveScan::Response& response)
+{
+  response.success = false;
+  try
+  {
+    const std::shared_ptr<const Scan> scan = scanToSave();
+    if (!scan)
+      throw InputError("there is no scan yet, nothing to save to " + request.path);
+    std::string format = request.format;
+    if (format.empty())
+      format = request.path.substr(std::min(request.path.size(), request.path.rfind('.') + 1));
+    saveScan(*scan, request.path, format);
+    response.success = true;
+    response.message = std::to_string(scan->rows.size()) + " rows in " + request.path;
+  }
+  catch (const std::exception& error)
+  {
+    response.message = error.what();
+    ROS_ERROR_STREAM_NAMED(handles_.name, "[" << handles_.name << "] " << error.what());
+  }
+  return true;
+}
+
+/// Tells the other stages of the chain to forget what they learnt.
+void ScanServer::announceStart()
+{
+  std_msgs::Header header;
+  header.stamp = ros::Time::now();
+  header.frame_id = chain_->cloudFrame();
+  started_.publish(header);
+}
+
+void ScanServer::broadcastScanFrame()
+{
+  const EncoderTrack* encoder = chain_->encoder();
+  if (encoder == nullptr || encoder->empty() || camera_frame_.empty() || !std::isfinite(encoder->latestPosition()))
+    return;
+  const Eigen::Isometry3d pose = chain_->scanFrame().cameraTScan(encoder->latestPosition());
+  broadcaster_.sendTransform(transformMessage(encoder->latestStamp(), pose.linear(), pose.translation(),
+                                              FrameNames{ camera_frame_, params_.chain.scan_frame }));
+}
+
+void ScanServer::sayProblem()
+{
+  const std::string problem = chain_->takeProblem();
+  if (!problem.empty())
+    ROS_ERROR_STREAM_THROTTLE_NAMED(kLogPeriod, handles_.name,
+                                    "[" << handles_.name << "] " << problem << "; the frame is dropped");
+}
+
+void ScanServer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
+{
+  using diagnostic_msgs::DiagnosticStatus;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const ScanBuilder& builder = chain_->builder();
+  status.summary(DiagnosticStatus::OK, builder.scanning() ? "scanning" : "idle");
+  reportAge(age_.summary(), status);
+  reportBalance(builder.balance(), builder.waiting(), status);
+  status.add("scans ended", scans_ended_);
+  status.add("rows of the open scan", builder.openScan().rows.size());
+  if (last_scan_ && last_scan_->end == ScanEnd::MaxRows)
+    status.mergeSummary(DiagnosticStatus::WARN, "max_rows closed the last scan");
+  const EncoderTrack* encoder = chain_->encoder();
+  if (encoder == nullptr)
+    return;
+  if (encoder->empty())
+    status.mergeSummary(DiagnosticStatus::WARN, joint_messages_ == 0 ? "no joint_states" : "joint not in joint_states");
+  else
+  {
+    status.addf("encoder position [m]", "%.7f", encoder->latestPosition());
+    status.addf("encoder speed [m/s]", "%.6f", encoder->speed());
+  }
+}
+}  // namespace weld_profiler

@@ -1,0 +1,246 @@
+#include "tools/bag_scan.h"
+
+#include <algorithm>
+#include <set>
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "tools/progress.h"
+#include "weld_profiler/core/errors.h"
+#include "weld_profiler/ros/messages.h"
+#include "weld_profiler/stripe/stripe_stage.h"
+
+namespace weld_profiler
+{
+namespace
+{
+const std::string kImageTopic = "image_raw";
+constexpr double kTransformCache = 1e7;  // [s]: of a bag nothing is forgotten
+
+std::set<std::string> topicsOf(const rosbag::Bag& bag)
+{
+  std::set<std::string> topics;
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections())
+    topics.insert(connection->topic);
+  return topics;
+}
+
+std::string join(const std::set<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return list.empty() ? "nothing" : list;
+}
+
+/// The namespace whose image_raw is scanned, with its slashes: "/profiler/".
+std::string chooseNamespace(const BagScanParams& params, const std::set<std::string>& topics)
+{
+  std::set<std::string> found;
+  for (const std::string& topic : topics)
+  {
+    const std::size_t at = topic.rfind('/') + 1;
+    if (topic.substr(at) == kImageTopic)
+      found.insert(topic.substr(0, at));
+  }
+  if (params.name_space.empty())
+  {
+    if (found.empty())
+      throw InputError(params.bag + ": has no topic image_raw (it holds " + join(topics) + "), record the profiler's");
+    if (found.size() > 1)
+      throw InputError(params.bag + ": image_raw is there in " + join(found) + ", choose one with --namespace");
+    return *found.begin();
+  }
+  std::string wanted = params.name_space.front() == '/' ? params.name_space : "/" + params.name_space;
+  if (wanted.back() != '/')
+    wanted += '/';
+  if (found.count(wanted) == 0)
+    throw InputError(params.bag + ": has no topic " + wanted + kImageTopic + ", --namespace can be " + join(found));
+  return wanted;
+}
+
+/// The bag's messages through the chain, one after the other.
+class BagReader
+{
+public:
+  BagReader(const BagScanParams& params, const std::string& name_space, const std::string& joint_topic)
+    : params_(params),
+      image_topic_(name_space + kImageTopic),
+      info_topic_(name_space + "camera_info"),
+      joint_topic_(joint_topic),
+      transforms_(ros::Duration(kTransformCache)),
+      stage_(params.stripe),
+      chain_(params.chain, params.calibration, transforms_, sinks())
+  {
+  }
+
+  void take(const rosbag::MessageInstance& message)
+  {
+    const std::string topic = message.getTopic();
+    if (topic == image_topic_)
+      takeImage(*instantiate<sensor_msgs::Image>(message));
+    else if (topic == info_topic_)
+      takeInfo(*instantiate<sensor_msgs::CameraInfo>(message));
+    else if (topic == joint_topic_)
+      takeJoints(*instantiate<sensor_msgs::JointState>(message));
+    else
+      takeTransforms(*instantiate<tf2_msgs::TFMessage>(message), topic == "/tf_static");
+  }
+
+  BagScanResult finish(const std::string& name_space)
+  {
+    chain_.builder().finish();
+    result_.name_space = name_space;
+    result_.balance = chain_.builder().balance();
+    if (result_.balance.rows == 0 && params_.chain.motion == "stage" && !joint_found_)
+      throw InputError(params_.bag + ": joint '" + params_.calibration.stage.joint + "' is not in " + joint_topic_ +
+                       " (there are: " + join(joints_) + "), set stage/joint in the calibration file");
+    return std::move(result_);
+  }
+
+  /// Why frames were refused, the first time each; empty = nothing to say.
+  std::string takeProblem() { return chain_.takeProblem(); }
+
+private:
+  template <class Message>
+  boost::shared_ptr<Message> instantiate(const rosbag::MessageInstance& message) const
+  {
+    const boost::shared_ptr<Message> result = message.instantiate<Message>();
+    if (!result)
+      throw InputError(params_.bag + ": topic " + message.getTopic() + " is a " + message.getDataType() +
+                       ", must be a " + ros::message_traits::DataType<Message>::value());
+    return result;
+  }
+
+  ScanBuilder::Sinks sinks()
+  {
+    ScanBuilder::Sinks sinks;
+    sinks.on_scan = [this](Scan&& scan) { result_.scans.push_back(std::move(scan)); };
+    return sinks;
+  }
+
+  void takeInfo(const sensor_msgs::CameraInfo& info)
+  {
+    info_ = info;
+    chain_.addCameraInfo(info);
+  }
+
+  void takeImage(const sensor_msgs::Image& image)
+  {
+    if (last_seq_ != 0 && image.header.seq > last_seq_ + 1)
+      result_.frame_gaps += image.header.seq - last_seq_ - 1;
+    last_seq_ = image.header.seq;
+    StripeProfile profile;
+    profile.header = image.header;
+    profile.frame = image.header.seq;
+    profile.image_width = image.width;
+    profile.image_height = image.height;
+    try
+    {
+      stage_.process(rawImage(image), workspace_, stripe_);
+    }
+    catch (const PreconditionError&)
+    {
+      chain_.builder().countDropped("bad_image");
+      return;
+    }
+    swapStripe(stripe_, profile);
+    chain_.addStripe(profile);
+  }
+
+  void takeJoints(const sensor_msgs::JointState& joints)
+  {
+    joint_found_ = chain_.addJoints(joints) || joint_found_;
+    if (!joint_found_)
+      joints_.insert(joints.name.begin(), joints.name.end());
+  }
+
+  void takeTransforms(const tf2_msgs::TFMessage& message, bool is_static)
+  {
+    for (const geometry_msgs::TransformStamped& transform : message.transforms)
+      transforms_.setTransform(transform, params_.bag, is_static);
+    chain_.poll();
+  }
+
+  const BagScanParams& params_;
+  const std::string image_topic_;
+  const std::string info_topic_;
+  const std::string joint_topic_;
+  BagScanResult result_;
+  tf2::BufferCore transforms_;
+  StripeStage stage_;
+  ScanChain chain_;
+  Workspace workspace_;
+  Stripe stripe_;
+  sensor_msgs::CameraInfo info_;
+  std::uint32_t last_seq_ = 0;
+  bool joint_found_ = false;
+  std::set<std::string> joints_;
+};
+
+/// The camera's own joint_states, or the robot's.
+std::string chooseJointTopic(const BagScanParams& params, const std::set<std::string>& topics,
+                             const std::string& name_space)
+{
+  for (const std::string& topic : { name_space + "joint_states", std::string("/joint_states") })
+  {
+    if (topics.count(topic) != 0)
+      return topic;
+  }
+  if (params.chain.motion == "stage")
+    throw InputError(params.bag + ": has no topic " + name_space + "joint_states (it holds " + join(topics) +
+                     "), record the encoder, or use motion: tf");
+  return name_space + "joint_states";
+}
+
+void open(rosbag::Bag& bag, const std::string& path)
+{
+  try
+  {
+    bag.open(path, rosbag::bagmode::Read);
+  }
+  catch (const rosbag::BagUnindexedException&)
+  {
+    throw InputError(path + ": the bag is truncated or was not closed, run `rosbag reindex` on it");
+  }
+  catch (const rosbag::BagException& error)
+  {
+    throw InputError(path + ": cannot be read as a bag (" + error.what() + "), check the path");
+  }
+}
+}  // namespace
+
+BagScanResult scanBag(const BagScanParams& params)
+{
+  rosbag::Bag bag;
+  open(bag, params.bag);
+  const std::set<std::string> topics = topicsOf(bag);
+  const std::string name_space = chooseNamespace(params, topics);
+  const std::string joint_topic = chooseJointTopic(params, topics, name_space);
+  BagReader reader(params, name_space, joint_topic);
+  const std::vector<std::string> wanted = { name_space + kImageTopic, name_space + "camera_info", joint_topic, "/tf",
+                                            "/tf_static" };
+  try
+  {
+    rosbag::View view(bag, rosbag::TopicQuery(wanted));
+    Progress progress("scanning", view.size());
+    std::set<std::string> said;
+    for (const rosbag::MessageInstance& message : view)
+    {
+      reader.take(message);
+      const std::string problem = reader.takeProblem();
+      if (!problem.empty() && said.insert(problem).second)
+        progress.say(problem + "; the frame is dropped");
+      progress.step();
+    }
+  }
+  catch (const rosbag::BagException& error)
+  {
+    throw InputError(params.bag + ": the bag is damaged (" + error.what() + "), run `rosbag reindex` on it");
+  }
+  return reader.finish(name_space);
+}
+}  // namespace weld_profiler

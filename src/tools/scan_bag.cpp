@@ -1,0 +1,119 @@
+#include <filesystem>
+#include <iostream>
+
+#include "tools/bag_scan.h"
+#include "tools/params_file.h"
+#include "tools/run_command.h"
+#include "tools/staged_output.h"
+#include "weld_profiler/ros/calibration_url.h"
+#include "weld_profiler/scan/export.h"
+#include "weld_profiler/scan/summary.h"
+
+namespace weld_profiler
+{
+namespace
+{
+struct Options
+{
+  std::string calibration;
+  std::string params;
+  std::string name_space;
+  std::string motion;
+  std::string fixed_frame;
+  double max_drop = 0.05;
+  std::string out;
+  std::vector<std::string> bags;
+};
+
+void declare(CommandLine& command, Options& options)
+{
+  command.option("calibration FILE", options.calibration, "camera, laser plane and stage axis of the rig");
+  command.required();
+  command.option("params FILE", options.params,
+                 "YAML with the parameters of stripe_centre and triangulation, in sections of these names or flat");
+  command.option("namespace NS", options.name_space, "of image_raw in the bag; needed when there is more than one");
+  command.option("motion M", options.motion, "stage (joint_states) or tf (the sensor's pose from /tf)");
+  command.option("fixed-frame F", options.fixed_frame, "frame of the cloud with --motion tf");
+  command.option("max-drop FRACTION", options.max_drop,
+                 "share of frames that may be dropped or unplaced before the exit status is 3, 0..1");
+  command.option("out DIR", options.out, "where scan.pcd, scan.ply and summary.json go; created if needed");
+  command.required();
+  command.arguments("BAG", options.bags, "a bag with image_raw, camera_info and joint_states (or /tf)");
+  command.example("scan_bag --calibration calibration.yaml --out scan1 weld.bag");
+  command.example("scan_bag --calibration weld.bag.truth/calibration.yaml --params tuned.yaml --out scan2 weld.bag");
+}
+
+BagScanParams bagScanParams(const Options& options)
+{
+  if (options.bags.size() != 1)
+    throw UsageError("one BAG at a time, " + std::to_string(options.bags.size()) + " were given");
+  BagScanParams params;
+  params.bag = options.bags.front();
+  params.name_space = options.name_space;
+  params.calibration = loadCalibrationFrom(options.calibration);
+  ParamsFile file(options.params);
+  file.load("stripe_centre", params.stripe);
+  file.load("triangulation", params.chain);
+  file.refuseUnknown();
+  if (!options.motion.empty())
+    params.chain.motion = options.motion;
+  if (!options.fixed_frame.empty())
+    params.chain.fixed_frame = options.fixed_frame;
+  params.stripe.validate();
+  params.chain.validate();
+  return params;
+}
+
+/// scan.pcd for the first scan of the bag, scan_2.pcd for the second (after a reversal or max_rows), ...
+void writeScans(const BagScanResult& result, const std::filesystem::path& directory, StagedOutput& output)
+{
+  for (std::size_t i = 0; i < result.scans.size(); ++i)
+  {
+    const std::string stem = i == 0 ? "scan" : "scan_" + std::to_string(i + 1);
+    for (const std::string format : { "pcd", "ply" })
+      saveScan(result.scans[i], output.file((directory / (stem + "." + format)).string()), format);
+  }
+}
+
+void writeSummaryFile(const BagScanResult& result, const std::filesystem::path& directory, StagedOutput& output)
+{
+  JsonObject json = summary(result.balance);
+  json.add("frames_missing_in_bag", result.frame_gaps);
+  json.add("scans", static_cast<std::uint64_t>(result.scans.size()));
+  writeSummary(json, output.file((directory / "summary.json").string()));
+}
+
+int scan(const Options& options)
+{
+  requireRange("--max-drop", options.max_drop, 0.0, 1.0);
+  const BagScanParams params = bagScanParams(options);
+  const BagScanResult result = scanBag(params);
+  makeOutputDirectory(options.out);
+  StagedOutput output;
+  writeScans(result, options.out, output);
+  writeSummaryFile(result, options.out, output);
+  output.commit();
+  const FrameBalance& balance = result.balance;
+  const std::uint64_t lost = balance.droppedTotal() + balance.unplacedTotal();
+  std::cerr << "scan_bag: " << balance.frames_in << " frames: " << balance.rows << " rows, " << balance.no_stripe
+            << " without a stripe, " << balance.skipped << " skipped by the trigger, " << balance.unplacedTotal()
+            << " unplaced, " << balance.droppedTotal() << " dropped\n";
+  if (balance.rows == 0)
+    std::cerr << "scan_bag: " << params.bag << ": no frame became a row, see summary.json for where they went\n";
+  const bool poor = balance.rows == 0 || static_cast<double>(lost) > options.max_drop * static_cast<double>(balance.frames_in);
+  return poor ? kPoorResult : kGood;
+}
+}  // namespace
+}  // namespace weld_profiler
+
+int main(int argc, char** argv)
+{
+  weld_profiler::Options options;
+  weld_profiler::CommandLine command(
+      "scan_bag",
+      "Turns a recorded scan into an organised point cloud: the live chain over a bag, every message, without a ROS\n"
+      "master. The same bag and parameters give the same bytes. Leaves scan.pcd (organised, the fields of scan_points),\n"
+      "scan.ply and summary.json (where every frame went) in DIR.");
+  weld_profiler::declare(command, options);
+  return weld_profiler::runCommand(command, argc, argv, [&] { return weld_profiler::scan(options); });
+}
