@@ -13,8 +13,9 @@
 #include "weld_profiler/stripe/stripe_methods.h"
 #include "weld_profiler/stripe/stripe_stage.h"
 
-// Six frames of a weld-seam sensor on bare metal against the stripe as marked by hand (test/data/real/*.csv, vertices of
-// polylines in pixels, good to 1-2 px). The images are not part of the package: docs/real-data.md says where they are from.
+// Six frames of a weld-seam sensor on bare metal against the stripe as marked by hand (test/data/real/*.csv, vertices
+// of polylines in pixels, good to 1-2 px). The images are not part of the package: docs/real-data.md says where they
+// are from.
 
 namespace weld_profiler
 {

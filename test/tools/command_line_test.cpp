@@ -115,7 +115,8 @@ TEST_F(CommandLineTest, HelpNamesEveryOptionItsDefaultAndAnExample)
 TEST(RunCommand, MapsExceptionsToExitStatuses)
 {
   const char* words[] = { "weigh" };
-  const auto status = [&](const std::function<int()>& body) {
+  const auto status = [&](const std::function<int()>& body)
+  {
     CommandLine command("weigh", "");
     return runCommand(command, 1, words, body);
   };

@@ -49,7 +49,8 @@ protected:
   CommandResult run(const std::string& command, const std::string& arguments, const std::string& setup = ":") const
   {
     const std::string line = "cd '" + folder_.string() + "' && unset ROS_MASTER_URI && " + setup + " && '" +
-                             WELD_PROFILER_COMMANDS "/" + command + "' " + arguments + " > .output 2> .errors < /dev/null";
+                             WELD_PROFILER_COMMANDS "/" + command + "' " + arguments +
+                             " > .output 2> .errors < /dev/null";
     const int status = std::system(("bash -c \"" + line + "\"").c_str());
     const CommandResult result{ WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(folder_ / ".output"),
                                 readText(folder_ / ".errors") };

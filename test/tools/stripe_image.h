@@ -16,7 +16,8 @@ inline void writeStripeImage(const std::string& path, double v, double slope = 0
     for (int column = 0; column < size.width; ++column)
     {
       const double across = row - (v + slope * column);
-      image.at<unsigned char>(row, column) = cv::saturate_cast<unsigned char>(5.0 + 180.0 * std::exp(-across * across / 8.0));
+      image.at<unsigned char>(row, column) =
+          cv::saturate_cast<unsigned char>(5.0 + 180.0 * std::exp(-across * across / 8.0));
     }
   cv::imwrite(path, image);
 }
