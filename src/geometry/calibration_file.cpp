@@ -78,8 +78,8 @@ std::vector<double> readNumbers(const Section& section, const std::string& key, 
 {
   const std::string type = "a list of " + std::to_string(count) + " numbers";
   const bool as_ros = section.has(key) && section.node[key].IsMap();
-  const auto values = as_ros ? read<std::vector<double>>(child(section, key), "data", type.c_str())
-                             : read<std::vector<double>>(section, key, type.c_str());
+  auto values = as_ros ? read<std::vector<double>>(child(section, key), "data", type.c_str())
+                       : read<std::vector<double>>(section, key, type.c_str());
   if (values.size() != count)
     throw ConfigError(section.name(key) + " has " + std::to_string(values.size()) + " numbers, must be " + type);
   return values;

@@ -1,5 +1,6 @@
 #include "weld_profiler/scan/export.h"
 
+#include <cerrno>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -13,7 +14,7 @@
 #include "weld_profiler/core/atomic_file.h"
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/scan/cloud_record.h"
-#include "weld_profiler/scan/csv_text.h"
+#include "weld_profiler/scan/csv.h"
 
 namespace weld_profiler
 {
@@ -99,9 +100,14 @@ void writePly(const Scan& scan, AtomicFile& file)
   requireData(file, "end_header\n", records.size() * (sizeof(CloudRecord) - sizeof(CloudRecord::padding)));
 }
 
-void writeCsv(const Scan& scan, AtomicFile& file)
+void writeCsvFile(const Scan& scan, const AtomicFile& file)
 {
-  file.write(csvText(scan));
+  errno = 0;
+  std::ofstream out(file.temporaryPath(), std::ios::binary | std::ios::trunc);
+  writeCsv(scan, out);
+  out.close();
+  if (!out)
+    throw file.failure(errno != 0 ? std::strerror(errno) : "write failed, is the disk full?");
 }
 }  // namespace
 
@@ -124,7 +130,7 @@ void saveScan(const Scan& scan, const std::string& path, const std::string& form
     else if (format == "ply")
       writePly(scan, file);
     else
-      writeCsv(scan, file);
+      writeCsvFile(scan, file);
   }
   catch (const Error&)
   {

@@ -1,83 +1,16 @@
 #include "weld_profiler/scan/scan_builder.h"
 
-#include <limits>
 #include <memory>
-#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "scan/bench.h"
 #include "weld_profiler/core/errors.h"
-#include "weld_profiler/scan/encoder_pose_source.h"
 
 using namespace weld_profiler;
-
-namespace
-{
-constexpr Stamp kMs = 1000000;
-const double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// A builder on the default rig, and all it told.
-struct Bench
-{
-  explicit Bench(const ScanParams& params = ScanParams{})
-  {
-    auto source = std::make_unique<EncoderPoseSource>(Calibration{}, EncoderParams{});
-    encoder = source.get();
-    ScanBuilder::Sinks sinks;
-    sinks.on_profile = [this](const Profile& profile) { profiles.push_back(profile); };
-    sinks.on_scan = [this](Scan&& scan) { scans.push_back(std::move(scan)); };
-    builder = std::make_unique<ScanBuilder>(params, std::move(source), "part", sinks);
-  }
-
-  void sample(Stamp stamp, double position)
-  {
-    if (!encoder->addSample(stamp, position))
-      builder->timeBackwards();
-    builder->poll();
-  }
-
-  /// A frame with points at the scan's origin (seen at stage 0), one a cell.
-  void frame(Stamp stamp, int points = 2, std::uint32_t cells = 4)
-  {
-    SensorProfile profile;
-    profile.stamp = stamp;
-    profile.frame = ++frames;
-    profile.cells = cells;
-    for (int i = 0; i < points; ++i)
-    {
-      SensorPoint point;
-      point.position = { 0.001 * i, 0.0, 0.25 };
-      point.spread = { 0.0F, 0.0F, 2e-5F };
-      point.cell = static_cast<std::uint16_t>(i);
-      profile.points.push_back(point);
-    }
-    builder->addProfile(profile);
-  }
-
-  const FrameBalance& balance() const { return builder->balance(); }
-  bool closes() const { return balance().frames_in == balance().accounted() + builder->waiting(); }
-  std::uint64_t unplaced(const std::string& reason) const
-  {
-    const auto found = balance().unplaced.find(reason);
-    return found == balance().unplaced.end() ? 0 : found->second;
-  }
-
-  EncoderPoseSource* encoder = nullptr;
-  std::unique_ptr<ScanBuilder> builder;
-  std::vector<Profile> profiles;
-  std::vector<Scan> scans;
-  std::uint64_t frames = 0;
-};
-
-ScanParams timeTrigger()
-{
-  ScanParams params;
-  params.trigger = "time";
-  return params;
-}
-}  // namespace
 
 TEST(ScanBuilder, PlacesAProfileOnceItIsBracketed)
 {
@@ -283,18 +216,6 @@ TEST(ScanBuilder, BeginsFromNothingWithRestart)
   EXPECT_TRUE(bench.builder->openScan().empty());
 }
 
-TEST(ScanBuilder, CountsDropsAsFramesThatCameIn)
-{
-  Bench bench;
-  bench.builder->countDropped("queue_full", 3);
-  bench.builder->countDropped("camera_info");
-  bench.builder->countDropped("lost_by_driver", 0);
-  EXPECT_EQ(bench.balance().frames_in, 4u);
-  EXPECT_EQ(bench.balance().dropped.size(), 2u);
-  EXPECT_EQ(bench.balance().dropped.at("queue_full"), 3u);
-  EXPECT_TRUE(bench.closes());
-}
-
 TEST(ScanBuilder, DoesNotPlaceByAPoseThatIsNotFinite)
 {
   struct NanPoses : PoseSource
@@ -320,59 +241,4 @@ TEST(ScanBuilder, RefusesToBeBuiltWrongly)
   params.max_rows = 0;
   EXPECT_THROW(Bench{ params }, ConfigError);
   EXPECT_THROW(ScanBuilder(ScanParams{}, nullptr, "part", {}), PreconditionError);
-}
-
-/// Whatever comes in whatever order: no frame is lost silently, and what was told agrees with what was counted.
-TEST(ScanBuilder, ClosesItsBalanceWhateverHappens)
-{
-  for (unsigned seed = 0; seed < 60; ++seed)
-  {
-    std::mt19937 generator(seed);
-    const auto draw = [&generator](int below) { return static_cast<int>(generator() % static_cast<unsigned>(below)); };
-    ScanParams params;
-    params.trigger = draw(2) == 0 ? "distance" : "time";
-    params.on_reversal = draw(2) == 0 ? "split" : "ignore";
-    params.max_waiting = 1 + draw(8);
-    params.max_rows = 1 + draw(20);
-    params.pitch = draw(2) * 1e-3;
-    Bench bench(params);
-    Stamp now = 1000 * kMs;
-    double position = 0.0;
-    double speed = 0.05;
-    for (int step = 0; step < 600; ++step)
-    {
-      now += (1 + draw(9)) * kMs;
-      position += speed * 0.005;
-      const int event = draw(200);
-      if (event < 80)
-        bench.frame(now - draw(30) * kMs / 4, draw(3), draw(40) == 0 ? 6 : 4);
-      else if (event < 180)
-        bench.sample(now, draw(30) == 0 ? kNan : position);
-      else if (event < 185)
-        now += 80 * kMs;
-      else if (event < 190)
-        speed = -speed;
-      else if (event < 195)
-        bench.builder->countDropped(draw(2) == 0 ? "queue_full" : "camera_info", static_cast<std::uint64_t>(draw(3)));
-      else if (event < 198)
-        now -= 500 * kMs;
-      else
-        bench.builder->finish();
-      ASSERT_TRUE(bench.closes()) << "seed " << seed << " step " << step;
-    }
-    bench.builder->finish();
-    EXPECT_EQ(bench.builder->waiting(), 0u);
-    const FrameBalance& balance = bench.balance();
-    EXPECT_EQ(balance.frames_in, balance.accounted());
-    std::size_t rows = 0;
-    for (const Scan& scan : bench.scans)
-    {
-      EXPECT_FALSE(scan.empty());
-      EXPECT_LE(scan.rows.size(), static_cast<std::size_t>(params.max_rows));
-      rows += scan.rows.size();
-    }
-    EXPECT_EQ(rows, balance.rows + balance.no_stripe);
-    EXPECT_EQ(bench.profiles.size(), balance.rows + balance.no_stripe + balance.skipped);
-    EXPECT_GT(rows, 0u);
-  }
 }
