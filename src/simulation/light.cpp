@@ -12,13 +12,13 @@ namespace simulation
 namespace
 {
 // The arc burns beyond the far edge of the field; its glow lies over the picture.
-constexpr double kArcU = 0.62;         // of the width
-constexpr double kArcV = -0.06;        // of the height
-constexpr double kArcRadius = 0.25;    // of the width
-constexpr double kFlashRadius = 0.7;   // of the width
-constexpr double kFlicker = 0.3;       // of the arc from frame to frame
-constexpr double kVignette = 0.25;     // loss of room light in the corners
-constexpr double kSparkPeak = 350.0;   // brightest [DN behind the filter]
+constexpr double kArcU = 0.62;        // of the width
+constexpr double kArcV = -0.06;       // of the height
+constexpr double kArcRadius = 0.25;   // of the width
+constexpr double kFlashRadius = 0.7;  // of the width
+constexpr double kFlicker = 0.3;      // of the arc from frame to frame
+constexpr double kVignette = 0.25;    // loss of room light in the corners
+constexpr double kSparkPeak = 350.0;  // brightest [DN behind the filter]
 }  // namespace
 
 Light::Light(const SceneParams& scene, int width, int height)

@@ -14,7 +14,7 @@ constexpr double kTravelPerMoment = 8e-6;  // a fifth of a pixel of the default 
 constexpr int kFewestMoments = 3;
 constexpr int kMostMoments = 24;
 constexpr double kBandSigmas = 4.5;
-constexpr double kMirrorSpread = 1.5;      // mirrored light is less sharp than the lens alone would make it
+constexpr double kMirrorSpread = 1.5;  // mirrored light is less sharp than the lens alone would make it
 
 /// A line of light and how it is painted.
 struct Stroke
@@ -97,8 +97,8 @@ std::vector<double> World::moments(int frame) const
   const double middle = frameTime(frame);
   if (!scene.motion_blur || scene.exposure <= 0.0)
     return { middle };
-  const double travel = std::abs(motion.position(middle + 0.5 * scene.exposure) -
-                                 motion.position(middle - 0.5 * scene.exposure));
+  const double travel =
+      std::abs(motion.position(middle + 0.5 * scene.exposure) - motion.position(middle - 0.5 * scene.exposure));
   const int count =
       std::min(kMostMoments, std::max(kFewestMoments, static_cast<int>(std::ceil(travel / kTravelPerMoment))));
   std::vector<double> result;

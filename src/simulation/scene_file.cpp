@@ -63,16 +63,19 @@ private:
 
 void readSections(const std::string& origin, YamlFields& top, SceneParams& scene)
 {
-  const auto section = [&](const std::string& name) {
+  const auto section = [&](const std::string& name)
+  {
     YAML::Node node;
     top(name, node);
     return YamlFields(node, origin + ": " + name);
   };
-  scene.visitSections([&](const std::string& name, auto& values) {
-    YamlFields fields = section(name);
-    values.visit(fields);
-    fields.refuseUnknown();
-  });
+  scene.visitSections(
+      [&](const std::string& name, auto& values)
+      {
+        YamlFields fields = section(name);
+        values.visit(fields);
+        fields.refuseUnknown();
+      });
   CalibrationFields calibration(scene.calibration);
   YamlFields camera = section("camera");
   calibration.camera(camera);
@@ -157,20 +160,22 @@ void saveScene(const SceneParams& scene, const std::string& path)
   YAML::Emitter out;
   out.SetDoublePrecision(17);
   YamlWriter writer(out);
-  const auto section = [&](const std::string& name, const auto& fill) {
+  const auto section = [&](const std::string& name, const auto& fill)
+  {
     out << YAML::Key << name << YAML::Value << YAML::BeginMap;
     fill();
     out << YAML::EndMap;
   };
   out << YAML::BeginMap;
   values.visit(writer);
-  values.visitSections(
-      [&](const std::string& name, auto& fields) { section(name, [&] { fields.visit(writer); }); });
+  values.visitSections([&](const std::string& name, auto& fields) { section(name, [&] { fields.visit(writer); }); });
   CalibrationFields calibration(values.calibration);
-  section("camera", [&] {
-    calibration.camera(writer);
-    section("roi", [&] { calibration.region(writer); });
-  });
+  section("camera",
+          [&]
+          {
+            calibration.camera(writer);
+            section("roi", [&] { calibration.region(writer); });
+          });
   section("laser_plane", [&] { calibration.plane(writer); });
   section("stage", [&] { calibration.stage(writer); });
   out << YAML::EndMap;

@@ -12,11 +12,11 @@ namespace simulation
 namespace
 {
 constexpr double kRadPerDeg = 0.017453292519943295;
-constexpr double kProbe = 1e-6;           // step of the projection's derivative [m]
-constexpr double kThinnest = 0.2;         // of the sheet in the image [px]
-constexpr double kThickest = 15.0;        // a surface seen edge-on would smear it without end [px]
-constexpr double kBounceStep = 50e-6;     // of the search for where mirrored light arrives [m]
-constexpr double kBouncePx = 12.0;        // neighbours that arrive farther apart make no line [px]
+constexpr double kProbe = 1e-6;        // step of the projection's derivative [m]
+constexpr double kThinnest = 0.2;      // of the sheet in the image [px]
+constexpr double kThickest = 15.0;     // a surface seen edge-on would smear it without end [px]
+constexpr double kBounceStep = 50e-6;  // of the search for where mirrored light arrives [m]
+constexpr double kBouncePx = 12.0;     // neighbours that arrive farther apart make no line [px]
 
 Eigen::Vector3d normalOf(const Eigen::Vector2d& slope)
 {
@@ -43,11 +43,13 @@ Shader::Shader(const SceneParams& scene, const Surface& surface, const Rig& rig,
 Shader::Footprint Shader::footprint(const SheetCut& cut, const CutPoint& point, const Eigen::Vector2d& slope) const
 {
   // Jacobian of (cell, across) over the surface's (x, y), solved for a step of (0, 1)
-  const auto derivative = [&](double dx, double dy) {
+  const auto derivative = [&](double dx, double dy)
+  {
     const Eigen::Vector3d step(dx, dy, slope.x() * dx + slope.y() * dy);
     const StripePixel after = cut.project(point.position + step);
     const StripePixel before = cut.project(point.position - step);
-    return Eigen::Vector2d((after.cell - before.cell) / (2.0 * kProbe), (after.across - before.across) / (2.0 * kProbe));
+    return Eigen::Vector2d((after.cell - before.cell) / (2.0 * kProbe),
+                           (after.across - before.across) / (2.0 * kProbe));
   };
   const Eigen::Vector2d by_x = derivative(kProbe, 0.0);
   const Eigen::Vector2d by_y = derivative(0.0, kProbe);

@@ -12,11 +12,11 @@ namespace simulation
 struct LitPoint
 {
   StripePixel pixel;
-  double amplitude = 0.0;    ///< of the sheet's own profile, before the lens spreads it [DN]
-  double sheet_sigma = 0.0;  ///< 1-sigma across, in pixels along the column, of the sheet alone
-  double x = 0.0, y = 0.0;   ///< surface point, fixed frame [m]
+  double amplitude = 0.0;             ///< of the sheet's own profile, before the lens spreads it [DN]
+  double sheet_sigma = 0.0;           ///< 1-sigma across, in pixels along the column, of the sheet alone
+  double x = 0.0, y = 0.0;            ///< surface point, fixed frame [m]
   double x_rate = 0.0, y_rate = 0.0;  ///< how it moves a pixel across at the same cell [m/px]
-  bool joined = false;       ///< the stripe runs on to the next point
+  bool joined = false;                ///< the stripe runs on to the next point
 };
 
 /// A connected or broken line of light, in rising cells.

@@ -11,11 +11,11 @@ namespace simulation
 {
 namespace
 {
-constexpr double kMarginPx = 12.0;       // the cut goes on this far outside the image, for what the lens spreads inward
-constexpr double kSpacingPx = 0.5;       // of the points
-constexpr double kWallSlope = 8.0;       // steeper than this (83 deg) between neighbours is a wall
-constexpr double kShadowStep = 25e-6;    // of the search along a viewing ray [m]
-constexpr double kGrazing = 1e-9;        // lit points may differ by this in the tangent of the laser's fan
+constexpr double kMarginPx = 12.0;     // the cut goes on this far outside the image, for what the lens spreads inward
+constexpr double kSpacingPx = 0.5;     // of the points
+constexpr double kWallSlope = 8.0;     // steeper than this (83 deg) between neighbours is a wall
+constexpr double kShadowStep = 25e-6;  // of the search along a viewing ray [m]
+constexpr double kGrazing = 1e-9;      // lit points may differ by this in the tangent of the laser's fan
 }  // namespace
 
 SheetCut::SheetCut(const Surface& surface, const Rig& rig, const RigPose& pose)
@@ -63,7 +63,7 @@ Eigen::Vector2d SheetCut::raw(const StripePixel& pixel) const
 
 bool SheetCut::at(double t, CutPoint& point) const
 {
-  constexpr int kIterations = 12;  // contracts by sheet tilt times slope each time; an upright sheet needs one
+  constexpr int kIterations = 12;     // contracts by sheet tilt times slope each time; an upright sheet needs one
   constexpr double kSettled = 1e-10;  // [m]
   constexpr double kUpright = 1e-9;
   const double squared = ahead_.squaredNorm();

@@ -10,10 +10,10 @@ namespace simulation
 namespace
 {
 constexpr double kPi = 3.141592653589793;
-constexpr double kStep = 2e-6;          // of the sampled section [m]
-constexpr double kBeside = 0.012;       // undercuts are looked for this far outside a toe [m]
-constexpr double kToeFace = 0.001;      // the toe angle is taken over this much of the face, or ...
-constexpr double kToeShare = 1.0 / 3.0; // ... over this share of the height, if that is shorter
+constexpr double kStep = 2e-6;           // of the sampled section [m]
+constexpr double kBeside = 0.012;        // undercuts are looked for this far outside a toe [m]
+constexpr double kToeFace = 0.001;       // the toe angle is taken over this much of the face, or ...
+constexpr double kToeShare = 1.0 / 3.0;  // ... over this share of the height, if that is shorter
 
 /// A straight line z = height + slope q.
 struct Line
@@ -76,7 +76,8 @@ std::array<double, 3> inCloud(const Bead& bead, const PathPoint& point, double y
 double crossing(const World& world, const RigPose& pose)
 {
   const Bead& bead = world.surface.bead();
-  const auto ahead = [&](double s) {
+  const auto ahead = [&](double s)
+  {
     const Eigen::Vector2d place = bead.place(PathPoint{ 0.0, s });
     const Eigen::Vector3d crest(place.x(), place.y() + world.surface.yOffset(), bead.height(PathPoint{ 0.0, s }));
     return pose.sheet_normal.dot(crest) - pose.sheet_distance;

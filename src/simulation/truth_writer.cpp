@@ -76,10 +76,10 @@ void writeWeld(const SimulatedScan& scan, const fs::path& path)
     std::snprintf(line, sizeof(line),
                   "%d,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%.6f,%.6f,%.6f,%.6f,,%d,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,,,,"
                   "%.6f,%.6f,chord\n",
-                  w.row, w.stage * kMm, w.width * kMm, w.reinforcement * kMm, w.toe_left[0] * kMm,
-                  w.toe_right[0] * kMm, w.toe_angle_left * kDegPerRad, w.toe_angle_right * kDegPerRad,
-                  w.undercut_left * kMm, w.undercut_right * kMm, w.misalignment * kMm, w.area * kMm * kMm, section++,
-                  w.s * kMm, w.yaw * kDegPerRad, w.toe_left[1] * kMm, w.toe_left[2] * kMm, w.toe_right[1] * kMm,
+                  w.row, w.stage * kMm, w.width * kMm, w.reinforcement * kMm, w.toe_left[0] * kMm, w.toe_right[0] * kMm,
+                  w.toe_angle_left * kDegPerRad, w.toe_angle_right * kDegPerRad, w.undercut_left * kMm,
+                  w.undercut_right * kMm, w.misalignment * kMm, w.area * kMm * kMm, section++, w.s * kMm,
+                  w.yaw * kDegPerRad, w.toe_left[1] * kMm, w.toe_left[2] * kMm, w.toe_right[1] * kMm,
                   w.toe_right[2] * kMm, w.height_left * kMm, w.height_right * kMm);
     file.out() << line;
   }
