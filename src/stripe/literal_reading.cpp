@@ -81,18 +81,19 @@ void LiteralReading::refine(const ImageView& filtered, Workspace::Scratch& scrat
   chooseKernel(params_, scratch.centres, scratch.widths, scratch.kernel);
   if (params_.derivatives == "sobel")
     scratch.kernel.setSobel(DerivativeKernel::Sobel::Unscaled);
+  const Levels levels = levelsOf(filtered, params_);
   std::size_t kept = 0;
   bool torn = false;
   for (Centre& centre : scratch.centres)
   {
     torn = torn || centre.starts_piece;
-    const int block = static_cast<int>(std::lround(centre.v));
-    if (!holdsTemplate(filtered, centre.cell, block) || !scratch.kernel.holds(filtered, centre.cell, block))
+    const Block block{ centre.cell, static_cast<int>(std::lround(centre.v)) };
+    if (!holdsTemplate(filtered, block) || !scratch.kernel.holds(filtered, block.u, block.v))
       continue;
-    const TemplateNormal normal = normal_(filtered, centre.cell, block);
+    const TemplateNormal normal = normal_(filtered, levels, block);
     if (!normal.defined)
       continue;
-    const TaylorStep step = taylorStep(scratch.kernel.at(filtered, centre.cell, block), normal);
+    const TaylorStep step = taylorStep(scratch.kernel.at(filtered, block.u, block.v), normal);
     if (!step.maximum || std::abs(step.t * normal.u) > kHalfPixel || std::abs(step.t * normal.v) > kHalfPixel)
       continue;
     centre.u += step.t * normal.u;

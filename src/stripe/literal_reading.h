@@ -5,7 +5,7 @@
 
 namespace weld_profiler
 {
-using NormalOfTemplate = TemplateNormal (*)(const ImageView& image, int block_u, int block_v);
+using NormalOfTemplate = TemplateNormal (*)(const ImageView& image, const Levels& levels, const Block& block);
 
 /// The paper's text taken to the letter: everything is measured on the median-filtered image, Eq. 4 sums what Otsu's
 /// threshold leaves of a column, the derivatives are the Sobel operator's own output at the pixel block, and the step

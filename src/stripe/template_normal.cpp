@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "pixels.h"
-
 namespace weld_profiler
 {
 namespace
@@ -19,15 +17,15 @@ struct Moments
 };
 
 template <class Pixel>
-Moments templateMoments(const ImageView& image, int block_u, int block_v)
+Moments templateMoments(const ImageView& image, double count, const Block& block)
 {
   Moments sum;
   for (int y = -kTemplateReach; y <= kTemplateReach; ++y)
   {
-    const Pixel* row = image.row<Pixel>(block_v + y) + block_u;
+    const Pixel* row = image.row<Pixel>(block.v + y) + block.u;
     for (int x = -kTemplateReach; x <= kTemplateReach; ++x)
     {
-      const double gray = row[x];
+      const double gray = row[x] / count;
       sum.gray += gray;
       sum.x += gray * x;
       sum.y += gray * y;
@@ -40,9 +38,9 @@ Moments templateMoments(const ImageView& image, int block_u, int block_v)
   return sum;
 }
 
-Moments momentsOf(const ImageView& image, int block_u, int block_v)
+Moments momentsOf(const ImageView& image, const Levels& levels, const Block& block)
 {
-  return withPixel(image, [&](auto pixel) { return templateMoments<decltype(pixel)>(image, block_u, block_v); });
+  return withPixel(image, [&](auto pixel) { return templateMoments<decltype(pixel)>(image, levels.count, block); });
 }
 
 TemplateNormal oriented(double u, double v)
@@ -53,24 +51,24 @@ TemplateNormal oriented(double u, double v)
 }
 }  // namespace
 
-bool holdsTemplate(const ImageView& image, int block_u, int block_v)
+bool holdsTemplate(const ImageView& image, const Block& block)
 {
-  return block_u >= kTemplateReach && block_v >= kTemplateReach && block_u < image.width - kTemplateReach &&
-         block_v < image.height - kTemplateReach;
+  return block.u >= kTemplateReach && block.v >= kTemplateReach && block.u < image.width - kTemplateReach &&
+         block.v < image.height - kTemplateReach;
 }
 
-TemplateNormal svdNormal(const ImageView& image, int block_u, int block_v)
+TemplateNormal svdNormal(const ImageView& image, const Levels& levels, const Block& block)
 {
-  const Moments sum = momentsOf(image, block_u, block_v);
+  const Moments sum = momentsOf(image, levels, block);
   constexpr double kCoordinates = 196.0;  // sum(x^2) = sum(y^2) over the template
   if (!(std::hypot(sum.x, sum.y) > kLeastMoment * (2.0 * kCoordinates + sum.square)))
     return {};
   return oriented(sum.x, sum.y);
 }
 
-TemplateNormal pcaNormal(const ImageView& image, int block_u, int block_v)
+TemplateNormal pcaNormal(const ImageView& image, const Levels& levels, const Block& block)
 {
-  const Moments sum = momentsOf(image, block_u, block_v);
+  const Moments sum = momentsOf(image, levels, block);
   if (!(sum.gray > 0.0))
     return {};
   const double x = sum.x / sum.gray;
