@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <future>
 #include <iostream>
 #include <thread>
@@ -9,9 +10,10 @@
 #include "tools/run_command.h"
 #include "tools/scan_bag_writer.h"
 #include "tools/staged_output.h"
-#include "tools/truth_files.h"
 #include "weld_profiler/core/errors.h"
+#include "weld_profiler/geometry/calibration_file.h"
 #include "weld_profiler/simulation/simulated_scan.h"
+#include "weld_profiler/simulation/truth_writer.h"
 
 namespace weld_profiler
 {
@@ -108,6 +110,22 @@ void writeFrames(const SimulatedScan& scan, double exposure, ScanBagWriter& writ
   }
 }
 
+void writeTruthFolder(const SimulatedScan& scan, const std::string& directory)
+{
+  Progress progress("writing the truth", static_cast<std::size_t>(scan.frameCount()));
+  writeTruth(scan, directory, [&](int /*done*/, int /*total*/) { progress.step(); });
+  saveCalibration(scan.calibration(), directory + "/calibration.yaml");
+}
+
+/// A folder that holds an earlier truth is replaced, any other is none of this command's business.
+std::string truthFolder(StagedOutput& output, const std::string& bag)
+{
+  const std::filesystem::path folder = bag + ".truth";
+  if (std::filesystem::exists(folder) && !std::filesystem::exists(folder / "centres.csv"))
+    throw InputError(folder.string() + ": exists and holds no truth of a scan; remove it or choose another --out");
+  return output.directory(folder.string());
+}
+
 int simulate(const Options& options)
 {
   const SceneParams scene = chosenScene(options);
@@ -116,13 +134,13 @@ int simulate(const Options& options)
   names.joint = scan.calibration().stage.joint;
 
   StagedOutput output;
-  const std::string truth = output.directory(options.out + ".truth");
+  const std::string truth = truthFolder(output, options.out);
   ScanBagWriter writer(output, options.out, names, scan.calibration().camera);
   writer.setEncoder(encoderOf(scan));
   writer.setPoses(posesOf(scan));
   writeFrames(scan, scene.exposure, writer);
   writer.close();
-  writeTruthFiles(scan, scene, truth);
+  writeTruthFolder(scan, truth);
   output.commit();
   return kGood;
 }

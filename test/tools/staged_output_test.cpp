@@ -38,7 +38,9 @@ TEST_F(StagedOutputTest, GivesFileAndDirectoryTheirNamesOnCommit)
 {
   StagedOutput output;
   std::ofstream(output.file(path("scan.bag"))) << "bag";
-  std::ofstream(output.directory(path("scan.bag.truth")) + "/centres.csv") << "truth";
+  const std::string truth = output.directory(path("scan.bag.truth"));
+  makeOutputDirectory(truth);
+  std::ofstream(truth + "/centres.csv") << "truth";
   EXPECT_FALSE(fs::exists(path("scan.bag")));
   output.commit();
   EXPECT_EQ(fs::file_size(path("scan.bag")), 3u);
@@ -51,7 +53,9 @@ TEST_F(StagedOutputTest, ReplacesWhatWasThere)
   for (const char* content : { "first", "second time" })
   {
     StagedOutput output;
-    std::ofstream(output.directory(path("truth")) + "/" + content) << content;
+    const std::string truth = output.directory(path("truth"));
+    makeOutputDirectory(truth);
+    std::ofstream(truth + "/" + content) << content;
     output.commit();
   }
   EXPECT_FALSE(fs::exists(path("truth/first")));
@@ -64,7 +68,7 @@ TEST_F(StagedOutputTest, LeavesNothingWithoutCommitAndKeepsTheOldFile)
   {
     StagedOutput output;
     std::ofstream(output.file(path("scan.bag"))) << "half of the new";
-    output.directory(path("truth"));
+    makeOutputDirectory(output.directory(path("truth")));
   }
   EXPECT_EQ(entries(), 1u);
   EXPECT_EQ(fs::file_size(path("scan.bag")), 3u);
