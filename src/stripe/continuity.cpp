@@ -7,15 +7,17 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr float kJumpCost = 5.0F;       ///< of a step, in columns of a full reward
-constexpr float kFreeSlope = 1.5F;      ///< rows a column that cost next to nothing: 56 deg
-constexpr float kSlopeCost = 0.03F;     ///< per row: of two ways equally bright the straighter
-constexpr float kRoughCost = 0.3F;      ///< per row beyond the free slope
-constexpr float kWeak = 0.6F;           ///< reward of a candidate below Otsu's threshold
-constexpr float kTypicalShare = 0.25F;  ///< brightness, of the typical, that earns half the reward
-constexpr float kAmbiguous = 0.5F;      ///< brightness, of the chosen, from which a second candidate is worth a flag
-constexpr std::size_t kLive = 12;       ///< ends of paths followed at once
-constexpr int kSmallGap = 3;            ///< columns that may be missing inside a piece
+constexpr float kJumpCost = 5.0F;      ///< of a step, in columns of a full reward
+constexpr float kFreeSlope = 1.5F;     ///< rows a column that cost next to nothing: 56 deg
+constexpr float kSlopeCost = 0.03F;    ///< per row: of two ways equally bright the straighter
+constexpr float kRoughCost = 0.3F;     ///< per row beyond the free slope
+constexpr float kWeak = 0.6F;          ///< reward of a candidate below Otsu's threshold
+constexpr float kBrightEnough = 0.5F;  ///< brightness, of the typical, that earns the full reward
+constexpr float kBonus = 0.1F;         ///< share of the reward that tells bright from brighter: a long reflection that
+                                       ///< outshines the stripe for a while must not pay for two jumps
+constexpr float kAmbiguous = 0.5F;     ///< brightness, of the chosen, from which a second candidate is worth a flag
+constexpr std::size_t kLive = 12;      ///< ends of paths followed at once
+constexpr int kSmallGap = 3;           ///< columns that may be missing inside a piece
 
 float transitionCost(int columns, float rows)
 {
@@ -54,7 +56,7 @@ float ContinuityTracker::typicalBrightness(const CandidateList& candidates)
 
 void ContinuityTracker::buildStates(const CandidateList& candidates, float otsu)
 {
-  const float half_reward = kTypicalShare * typicalBrightness(candidates);
+  const float typical = typicalBrightness(candidates);
   states_.clear();
   live_.clear();
   const int columns = static_cast<int>(candidates.first.size()) - 1;
@@ -64,7 +66,8 @@ void ContinuityTracker::buildStates(const CandidateList& candidates, float otsu)
     for (int i = candidates.first[u]; i < candidates.first[u + 1]; ++i)
     {
       const Candidate& candidate = candidates.items[i];
-      const float reward = candidate.brightness / (candidate.brightness + half_reward);
+      const float reward = (1.0F - kBonus) * std::min(1.0F, candidate.brightness / (kBrightEnough * typical)) +
+                           kBonus * candidate.brightness / (candidate.brightness + typical);
       addState(candidates, u, i, candidate.top > otsu ? reward : kWeak * reward);
     }
     next_.insert(next_.end(), live_.begin(), live_.end());

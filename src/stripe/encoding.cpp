@@ -23,13 +23,12 @@ const Encoding kEncodings[] = {
 
 const Encoding& findEncoding(const std::string& name)
 {
-  std::string known;
   for (const Encoding& encoding : kEncodings)
-  {
     if (name == encoding.name)
       return encoding;
+  std::string known;
+  for (const Encoding& encoding : kEncodings)
     known += (known.empty() ? "" : ", ") + std::string(encoding.name);
-  }
   throw PreconditionError("image encoding is '" + name + "', must be one of: " + known);
 }
 }  // namespace weld_profiler

@@ -10,12 +10,15 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr std::size_t kSideCells = 15;  ///< centres either side that hold the curve
+constexpr int kSideCells = 15;  ///< cells either side that hold the curve; also of a coarser grid, or it is too stiff
 constexpr std::size_t kLeastSideCells = 4;
 constexpr double kTear = 3.0;       ///< rows a column from which neighbours are not one line
-constexpr double kRoughest = 0.35;  ///< residual of the fit from which the break is an edge [px]
+constexpr double kRoughest = 0.12;  ///< residual of the fit from which the break is an edge [px]
 constexpr double kRoughestSigmas = 3.0;
-constexpr double kUnseen = 6.5e-4;  ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
+constexpr std::size_t kLineCells = 8;  ///< centres either side that tell where the line was heading
+constexpr double kLeastStep = 1.0;     ///< by which both sides must miss each other in the middle to be a step [px]
+constexpr double kStepPerGap = 0.1;    ///< ... and more for a longer break, in which a smooth line may bend [px / px]
+constexpr double kUnseen = 6.5e-4;     ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
 static_assert(2 * kSideCells <= NaturalSpline::kMostKnots, "the literal reading passes through all of them");
 
 /// The centres either side of a break, [first, left] and [right, last].
@@ -66,6 +69,9 @@ public:
     sides_.each([&](std::size_t i) { squares += std::pow(curve_.at(along_[i]) - across_[i], 2.0); });
     const double roughness = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(sides_.count(), 5) - 4));
     sigma_ = std::max(sigma, roughness);
+    const double gap = stripe_.cell[sides_.right] - stripe_.cell[sides_.left];
+    if (missInTheMiddle(middle) > std::max(kLeastStep, kStepPerGap * gap))
+      return false;
     interpolating_ = settings.interpolating && fitInterpolation();
     return roughness <= std::max(kRoughest, kRoughestSigmas * sigma);
   }
@@ -102,13 +108,38 @@ private:
   {
     const auto& cell = stripe_.cell;
     Break sides{ left, left, left + 1, left + 1 };
-    while (sides.first > 0 && left - sides.first + 1 < kSideCells && !torn(sides.first - 1) &&
+    while (sides.first > 0 && cell[left] - cell[sides.first - 1] < kSideCells && !torn(sides.first - 1) &&
            cell[sides.first] - cell[sides.first - 1] <= max_step)
       --sides.first;
-    while (sides.last + 1 < cell.size() && sides.last - sides.right + 1 < kSideCells && !torn(sides.last) &&
+    while (sides.last + 1 < cell.size() && cell[sides.last + 1] - cell[sides.right] < kSideCells && !torn(sides.last) &&
            cell[sides.last + 1] - cell[sides.last] <= max_step)
       ++sides.last;
     return sides;
+  }
+
+  /// How far the straight continuations of both sides pass each other. On an arc they meet, across a step they do not.
+  double missInTheMiddle(double middle) const
+  {
+    const std::size_t first = std::max(sides_.first, sides_.left + 1 - std::min(sides_.left + 1, kLineCells));
+    const std::size_t last = std::min(sides_.last, sides_.right + kLineCells - 1);
+    return std::abs(extrapolate(first, sides_.left, middle) - extrapolate(sides_.right, last, middle));
+  }
+
+  double extrapolate(std::size_t first, std::size_t last, double where) const
+  {
+    const auto count = static_cast<double>(last - first + 1);
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (std::size_t i = first; i <= last; ++i)
+    {
+      x += (along_[i] - where) / count;
+      y += across_[i] / count;
+    }
+    for (std::size_t i = first; i <= last; ++i)
+    {
+      xx += std::pow(along_[i] - where - x, 2.0);
+      xy += (along_[i] - where - x) * (across_[i] - y);
+    }
+    return xx > 0.0 ? y - x * xy / xx : y;
   }
 
   bool fitInterpolation()
