@@ -13,11 +13,11 @@ import time
 
 import numpy as np
 import rospy
-from diagnostic_msgs.msg import DiagnosticArray
 from matplotlib.image import imsave
 from sensor_msgs.msg import Image, PointCloud2
-from std_srvs.srv import Trigger
 from weld_profiler.srv import SaveScan
+
+from plain_messages import Trigger, subscribe
 
 
 class WatchError(Exception):
@@ -41,7 +41,7 @@ class Watch:
             rospy.Subscriber("stripe_image", Image, self._on_frame, queue_size=1, buff_size=1 << 24),
             rospy.Subscriber("profile_points", PointCloud2, self._on_profile, queue_size=100, buff_size=1 << 22),
             rospy.Subscriber("scan_points", PointCloud2, self._on_scan, queue_size=1, buff_size=1 << 24),
-            rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics, queue_size=100),
+            subscribe("/diagnostics", self._on_diagnostics, queue_size=100),
         ]
 
     def _on_frame(self, message):
