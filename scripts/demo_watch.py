@@ -90,6 +90,12 @@ def image_array(message):
     return np.repeat(pixels, 3, axis=2) if channels == 1 else pixels
 
 
+def around_the_stripe(picture, margin=120):
+    """The rows that something was drawn on, and some more: the rest of the frame is dark. The whole if nothing was."""
+    drawn = np.flatnonzero((np.ptp(picture.astype(int), axis=2) > 60).any(axis=1))
+    return picture[max(drawn[0] - margin, 0):drawn[-1] + margin] if drawn.size else picture
+
+
 def call(name, service, *arguments):
     try:
         answer = rospy.ServiceProxy(name, service)(*arguments)
@@ -112,7 +118,8 @@ def run(output, quiet_seconds, frame_shown):
     wait_for("diagnostics of triangulation", lambda: watch.diagnosed > stopped + 2.0, 30)
     if watch.frame is None:
         raise WatchError("no message on %s" % rospy.resolve_name("stripe_image"))
-    imsave(os.path.join(output, "frame.png"), np.ascontiguousarray(image_array(watch.frame)))
+    picture = around_the_stripe(image_array(watch.frame))
+    imsave(os.path.join(output, "frame.png"), np.ascontiguousarray(picture))
     with open(os.path.join(output, "figures.json"), "w") as file:
         json.dump(watch.diagnostics, file, indent=2)
 
