@@ -16,7 +16,10 @@ namespace
 {
 namespace fs = std::filesystem;
 
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool isDigit(char c)
+{
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
 
 std::string digitsAt(const std::string& text, std::size_t& at)
 {

@@ -71,8 +71,9 @@ cv::Mat decode(const Bytes& bytes, const std::string& path)
     throw InputError(path + ": cannot be decoded: " + error.err);
   }
   if (image.empty())
-    throw InputError(path + ": not an image that can be decoded (damaged, or of an unknown format); "
-                            "expected png, jpg, bmp, tif, pgm or ppm");
+    throw InputError(path +
+                     ": not an image that can be decoded (damaged, or of an unknown format); "
+                     "expected png, jpg, bmp, tif, pgm or ppm");
   if (image.depth() != CV_8U && image.depth() != CV_16U)
     throw InputError(path + ": pixels are neither 8 nor 16 bit; convert the image");
   if (image.channels() == 4)

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -29,13 +28,14 @@ struct Section
 
 YAML::Node parse(const std::string& path)
 {
+  std::ostringstream content;
   std::ifstream stream(path, std::ios::binary);
-  const std::string content{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-  if (!stream.is_open() || stream.bad() || std::filesystem::is_directory(path))
+  // a folder opens, but is not read
+  if (!stream || std::filesystem::is_directory(path) || !(content << stream.rdbuf() || stream.peek() == EOF))
     throw InputError("cannot read calibration file " + path + ": no such file or not readable, check the path");
   try
   {
-    const YAML::Node root = YAML::Load(content);
+    const YAML::Node root = YAML::Load(content.str());
     if (!root.IsMap())
       throw ConfigError(path + ": holds no `key: value` lines, must be a calibration file");
     return root;
@@ -78,8 +78,8 @@ std::vector<double> readNumbers(const Section& section, const std::string& key, 
 {
   const std::string type = "a list of " + std::to_string(count) + " numbers";
   const bool as_ros = section.has(key) && section.node[key].IsMap();
-  const auto values = as_ros ? read<std::vector<double>>(child(section, key), "data", type.c_str())
-                             : read<std::vector<double>>(section, key, type.c_str());
+  auto values = as_ros ? read<std::vector<double>>(child(section, key), "data", type.c_str())
+                       : read<std::vector<double>>(section, key, type.c_str());
   if (values.size() != count)
     throw ConfigError(section.name(key) + " has " + std::to_string(values.size()) + " numbers, must be " + type);
   return values;

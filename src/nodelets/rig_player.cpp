@@ -112,7 +112,7 @@ void RigPlayer::playOnce()
   scene.start_time = ros::Time::now().toSec() + lead;
   const SimulatedScan scan(scene);
   if (!params_.truth_dir.empty())
-    writeTruth(scan, scene, params_.truth_dir);
+    writeTruth(scan, params_.truth_dir);
   const std::vector<SimulatedEncoderSample> encoder = scan.encoder();
   const std::vector<SimulatedPose> poses = scan.poses();
   for (const Event& event : timeline(scan))

@@ -1,5 +1,6 @@
 #include "weld_profiler/scan/export.h"
 
+#include <cerrno>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -13,7 +14,7 @@
 #include "weld_profiler/core/atomic_file.h"
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/scan/cloud_record.h"
-#include "weld_profiler/scan/csv_text.h"
+#include "weld_profiler/scan/csv.h"
 
 namespace weld_profiler
 {
@@ -79,20 +80,34 @@ void writePcd(const Scan& scan, const AtomicFile& file)
   std::filesystem::resize_file(file.temporaryPath(), requireData(file, "DATA binary\n", cloud.data.size()));
 }
 
-void writePly(const Scan& scan, const AtomicFile& file)
+/// What PCL refuses to write: a cloud without a point.
+std::string emptyPly()
+{
+  std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex 0\n";
+  for (const CloudField& field : kCloudFields)
+    text += std::string("property ") + (field.is_float ? "float " : "uchar ") + field.name + "\n";
+  return text + "end_header\n";
+}
+
+void writePly(const Scan& scan, AtomicFile& file)
 {
   const std::vector<CloudRecord> records = validRecords(scan);
   if (records.empty())
-    throw file.failure("the scan holds no point, and PLY has no holes; save it as pcd");
+    return file.write(emptyPly());
   const pcl::PCLPointCloud2 cloud = pclCloud(records, records.size());
   if (pcl::PLYWriter().writeBinary(file.temporaryPath(), cloud) != 0)
     throw file.failure("PCL could not write it");
   requireData(file, "end_header\n", records.size() * (sizeof(CloudRecord) - sizeof(CloudRecord::padding)));
 }
 
-void writeCsv(const Scan& scan, AtomicFile& file)
+void writeCsvFile(const Scan& scan, const AtomicFile& file)
 {
-  file.write(csvText(scan));
+  errno = 0;
+  std::ofstream out(file.temporaryPath(), std::ios::binary | std::ios::trunc);
+  writeCsv(scan, out);
+  out.close();
+  if (!out)
+    throw file.failure(errno != 0 ? std::strerror(errno) : "write failed, is the disk full?");
 }
 }  // namespace
 
@@ -115,7 +130,7 @@ void saveScan(const Scan& scan, const std::string& path, const std::string& form
     else if (format == "ply")
       writePly(scan, file);
     else
-      writeCsv(scan, file);
+      writeCsvFile(scan, file);
   }
   catch (const Error&)
   {

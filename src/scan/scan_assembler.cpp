@@ -10,8 +10,8 @@ namespace weld_profiler
 {
 namespace
 {
-// A stage that steps by exactly one pitch must make a row at each step, whatever the last digit says.
-constexpr double kPitchSlack = 1e-6;
+// Relative. A stage that steps by exactly one pitch must make a row at each step, whatever the last digit says.
+constexpr double kSlack = 1e-6;
 }  // namespace
 
 ScanAssembler::ScanAssembler(const ScanParams& params, std::string frame_id)
@@ -58,8 +58,9 @@ bool ScanAssembler::reversed(double stage)
 {
   lowest_stage_ = std::min(lowest_stage_, stage);
   highest_stage_ = std::max(highest_stage_, stage);
-  const bool up = stage - lowest_stage_ >= params_.reversal_hysteresis;
-  const bool down = highest_stage_ - stage >= params_.reversal_hysteresis;
+  const double hysteresis = params_.reversal_hysteresis * (1.0 - kSlack);
+  const bool up = stage - lowest_stage_ >= hysteresis;
+  const bool down = highest_stage_ - stage >= hysteresis;
   const int old_heading = heading_;
   if (heading_ != 1 && up)
     heading_ = 1;
@@ -77,7 +78,7 @@ bool ScanAssembler::triggered(double stage) const
     return true;
   const bool forward_only = params_.on_reversal == "split" && heading_ != 0;
   const double moved = forward_only ? heading_ * (stage - last_row_stage_) : std::abs(stage - last_row_stage_);
-  return params_.pitch > 0.0 ? moved >= params_.pitch * (1.0 - kPitchSlack) : moved > params_.still_tolerance;
+  return params_.pitch > 0.0 ? moved >= params_.pitch * (1.0 - kSlack) : moved > params_.still_tolerance;
 }
 
 bool ScanAssembler::fits(const Profile& profile) const

@@ -46,7 +46,12 @@ void ScanBuilder::addProfile(SensorProfile profile)
 {
   ++balance_.frames_in;
   if (profile.stamp < last_stamp_)
+  {
+    // The images came back before the encoder did: its samples are of the time before, and would place by chance.
+    if (last_placed_ && poses_->at(*last_placed_).kind == PoseAnswer::Kind::Placed)
+      poses_->reset();
     timeBackwards();
+  }
   last_stamp_ = profile.stamp;
   waiting_.push_back(std::move(profile));
   poll();
@@ -68,6 +73,7 @@ void ScanBuilder::poll()
     }
     const SensorProfile profile = std::move(waiting_.front());
     waiting_.pop_front();
+    last_placed_ = profile.stamp;
     place(profile, answer.pose);
   }
 }
@@ -123,6 +129,7 @@ void ScanBuilder::timeBackwards()
 {
   giveUpWaiting(unplaced::kTimeBackwards);
   last_stamp_ = std::numeric_limits<Stamp>::min();
+  last_placed_.reset();
   hand(assembler_.close(ScanEnd::Stopped));
 }
 
@@ -132,6 +139,7 @@ void ScanBuilder::restart()
   hand(assembler_.close(ScanEnd::Stopped));
   poses_->reset();
   last_stamp_ = std::numeric_limits<Stamp>::min();
+  last_placed_.reset();
   balance_ = FrameBalance{};
 }
 

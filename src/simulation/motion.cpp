@@ -26,7 +26,10 @@ Motion::Motion(const SceneParams& scene)
 {
 }
 
-Stamp Motion::stamp(int frame) const { return start_ + fromSeconds(frame / scene_.frame_rate); }
+Stamp Motion::stamp(int frame) const
+{
+  return start_ + fromSeconds(frame / scene_.frame_rate);
+}
 
 double Motion::position(double seconds) const
 {
@@ -35,7 +38,10 @@ double Motion::position(double seconds) const
   return scene_.start_position + scene_.speed * (seconds + wave);
 }
 
-double Motion::lowest() const { return std::min(position(0.0), position(duration())); }
+double Motion::lowest() const
+{
+  return std::min(position(0.0), position(duration()));
+}
 
 std::vector<Stamp> Motion::samples(double rate) const
 {

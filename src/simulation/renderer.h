@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/light.h"
 #include "simulation/sensor.h"
 
 namespace weld_profiler
@@ -19,6 +20,7 @@ struct World
   Surface surface;
   Shader shader;
   Speckle speckle;
+  Light light;
   Sensor sensor;
 
   double frameTime(int frame) const { return motion.seconds(motion.stamp(frame)); }

@@ -12,7 +12,10 @@ namespace
 {
 constexpr double kRadPerDeg = 0.017453292519943295;
 
-Eigen::Vector3d vector(const std::array<double, 3>& values) { return { values[0], values[1], values[2] }; }
+Eigen::Vector3d vector(const std::array<double, 3>& values)
+{
+  return { values[0], values[1], values[2] };
+}
 
 std::array<double, 3> rolled(const std::array<double, 3>& values, double roll, double sign)
 {
@@ -54,8 +57,7 @@ RigPose Rig::pose(double seconds) const
   RigPose pose;
   pose.rotation = scan_axes_.transpose();
   if (turning_)  // about the point where the optical axis meets the sheet, steadily: what slerp between poses gives
-    pose.rotation =
-        Eigen::AngleAxisd(turn_rate_ * (seconds - 0.5 * motion_.duration()), turn_axis_) * pose.rotation;
+    pose.rotation = Eigen::AngleAxisd(turn_rate_ * (seconds - 0.5 * motion_.duration()), turn_axis_) * pose.rotation;
   pose.camera = working_point - pose.rotation * origin_;
   pose.emitter = pose.rotation * emitter_ + pose.camera;
   pose.sheet_normal = pose.rotation * normal_;

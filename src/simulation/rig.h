@@ -14,8 +14,8 @@ struct RigPose
 {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< p_fixed = rotation p_camera + camera
   Eigen::Vector3d camera = Eigen::Vector3d::Zero();
-  Eigen::Vector3d emitter = Eigen::Vector3d::Zero();       ///< where the laser sheet comes from
-  Eigen::Vector3d sheet_normal = Eigen::Vector3d::UnitY(); ///< sheet: normal . p = distance
+  Eigen::Vector3d emitter = Eigen::Vector3d::Zero();        ///< where the laser sheet comes from
+  Eigen::Vector3d sheet_normal = Eigen::Vector3d::UnitY();  ///< sheet: normal . p = distance
   double sheet_distance = 0.0;
 
   Eigen::Vector3d toCamera(const Eigen::Vector3d& fixed) const { return rotation.transpose() * (fixed - camera); }
@@ -40,12 +40,12 @@ private:
   Camera camera_;
   const Motion& motion_;
   bool turning_ = false;
-  double turn_rate_ = 0.0;   ///< [rad/s]
+  double turn_rate_ = 0.0;  ///< [rad/s]
   Eigen::Vector3d turn_axis_ = Eigen::Vector3d::UnitZ();
   Eigen::Matrix3d scan_axes_ = Eigen::Matrix3d::Identity();  ///< columns x, y, z of the scan frame, camera frame
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();         ///< o: optical axis meets laser plane, camera frame
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d emitter_ = Eigen::Vector3d::Zero();        ///< camera frame
+  Eigen::Vector3d emitter_ = Eigen::Vector3d::Zero();  ///< camera frame
 };
 }  // namespace simulation
 }  // namespace weld_profiler

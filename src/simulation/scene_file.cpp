@@ -25,8 +25,7 @@ public:
     std::string model = "plumb_bob";
     v("image_width", camera.image_width), v("image_height", camera.image_height), v("camera_matrix", matrix);
     v("distortion_model", model), v("distortion_coefficients", camera.distortion);
-    v("roi_x", camera.roi_x), v("roi_y", camera.roi_y), v("roi_width", camera.roi_width);
-    v("roi_height", camera.roi_height), v("binning_x", camera.binning_x), v("binning_y", camera.binning_y);
+    v("binning_x", camera.binning_x), v("binning_y", camera.binning_y);
     if (model != "plumb_bob")
       throw ConfigError("camera.distortion_model is '" + model + "', must be plumb_bob");
     if (matrix[1] != 0.0 || matrix[3] != 0.0 || matrix[6] != 0.0 || matrix[7] != 0.0 || matrix[8] != 1.0)
@@ -35,6 +34,14 @@ public:
     camera.cx = matrix[2];
     camera.fy = matrix[4];
     camera.cy = matrix[5];
+  }
+
+  template <class V>
+  void region(V&& v)
+  {
+    CameraCalibration& camera = calibration_.camera;
+    v("x_offset", camera.roi_x), v("y_offset", camera.roi_y), v("width", camera.roi_width);
+    v("height", camera.roi_height);
   }
 
   template <class V>
@@ -54,22 +61,30 @@ private:
   Calibration& calibration_;
 };
 
-void readSections(const YAML::Node& root, const std::string& origin, YamlFields& top, SceneParams& scene)
+void readSections(const std::string& origin, YamlFields& top, SceneParams& scene)
 {
-  const auto section = [&](const std::string& name) {
+  const auto section = [&](const std::string& name)
+  {
     YAML::Node node;
     top(name, node);
-    return YamlFields(node.IsNull() ? YAML::Node() : root[name], origin + ": " + name);
+    return YamlFields(node, origin + ": " + name);
   };
-  scene.visitSections([&](const std::string& name, auto& values) {
-    YamlFields fields = section(name);
-    values.visit(fields);
-    fields.refuseUnknown();
-  });
+  scene.visitSections(
+      [&](const std::string& name, auto& values)
+      {
+        YamlFields fields = section(name);
+        values.visit(fields);
+        fields.refuseUnknown();
+      });
   CalibrationFields calibration(scene.calibration);
   YamlFields camera = section("camera");
   calibration.camera(camera);
+  YAML::Node roi;
+  camera("roi", roi);
   camera.refuseUnknown();
+  YamlFields region(roi, origin + ": camera: roi");
+  calibration.region(region);
+  region.refuseUnknown();
   YamlFields plane = section("laser_plane");
   calibration.plane(plane);
   plane.refuseUnknown();
@@ -127,7 +142,7 @@ SceneParams loadScene(const std::string& path)
   {
     SceneParams scene = scenePreset(preset);
     scene.visit(top);
-    readSections(root, path, top, scene);
+    readSections(path, top, scene);
     top.refuseUnknown();
     scene.validate();
     return scene;
@@ -145,17 +160,22 @@ void saveScene(const SceneParams& scene, const std::string& path)
   YAML::Emitter out;
   out.SetDoublePrecision(17);
   YamlWriter writer(out);
-  const auto section = [&](const std::string& name, const auto& fill) {
+  const auto section = [&](const std::string& name, const auto& fill)
+  {
     out << YAML::Key << name << YAML::Value << YAML::BeginMap;
     fill();
     out << YAML::EndMap;
   };
   out << YAML::BeginMap;
   values.visit(writer);
-  values.visitSections(
-      [&](const std::string& name, auto& fields) { section(name, [&] { fields.visit(writer); }); });
+  values.visitSections([&](const std::string& name, auto& fields) { section(name, [&] { fields.visit(writer); }); });
   CalibrationFields calibration(values.calibration);
-  section("camera", [&] { calibration.camera(writer); });
+  section("camera",
+          [&]
+          {
+            calibration.camera(writer);
+            section("roi", [&] { calibration.region(writer); });
+          });
   section("laser_plane", [&] { calibration.plane(writer); });
   section("stage", [&] { calibration.stage(writer); });
   out << YAML::EndMap;

@@ -44,7 +44,8 @@ void checkMotion(const SceneParams& scene)
     throw ConfigError("speed is " + std::to_string(scene.speed) + ", must be at least 1e-05 m/s either way");
   const double frames = scene.scan_length / std::abs(scene.speed) * scene.frame_rate;
   if (scene.frame_count == 0 && frames > 100000.0)
-    throw ConfigError("speed is " + std::to_string(scene.speed) + " m/s, the scan would have more than 100000 frames: "
+    throw ConfigError("speed is " + std::to_string(scene.speed) +
+                      " m/s, the scan would have more than 100000 frames: "
                       "set frame_count");
   requireRange("speed_variation", scene.speed_variation, 0.0, 0.95);
   requireRange("speed_period", scene.speed_period, 0.01, 1000.0, "s");
@@ -64,7 +65,8 @@ void checkWeld(const ScenePlates& plates, const SceneWeld& weld)
   requireRange("plates.misalignment", plates.misalignment, -0.01, 0.01, "m");
   requireRange("plates.angle_deg", plates.angle_deg, -30.0, 30.0, "deg");
   requireRange("weld.width", weld.width, 0.0, 0.05, "m");
-  requireRange("weld.reinforcement", weld.reinforcement, 0.0, 0.5 * weld.width, "m (half of weld.width)");
+  if (weld.width > 0.0)
+    requireRange("weld.reinforcement", weld.reinforcement, 0.0, 0.5 * weld.width, "m (half of weld.width)");
   requireRange("weld.start", weld.start, -2.0, 2.0, "m");
   requireRange("weld.length", weld.length, 1e-4, 4.0, "m");
   requireRange("weld.end_length", weld.end_length, 0.0, 0.5 * weld.length, "m (half of weld.length)");
@@ -144,13 +146,13 @@ void checkCamera(const CameraCalibration& camera)
   requireRange("camera.cy", camera.cy, -1e5, 1e5, "px");
   for (const double coefficient : camera.distortion)
     requireRange("camera.distortion_coefficients", coefficient, -100.0, 100.0);
-  requireRange("camera.roi_x", camera.roi_x, 0, camera.image_width - 1, "px");
-  requireRange("camera.roi_y", camera.roi_y, 0, camera.image_height - 1, "px");
-  requireRange("camera.roi_width", camera.roi_width, 0, camera.image_width - camera.roi_x, "px");
-  requireRange("camera.roi_height", camera.roi_height, 0, camera.image_height - camera.roi_y, "px");
+  requireRange("camera.roi x_offset", camera.roi_x, 0, camera.image_width - 1, "px");
+  requireRange("camera.roi y_offset", camera.roi_y, 0, camera.image_height - 1, "px");
+  requireRange("camera.roi width", camera.roi_width, 0, camera.image_width - camera.roi_x, "px");
+  requireRange("camera.roi height", camera.roi_height, 0, camera.image_height - camera.roi_y, "px");
   if ((camera.roi_width == 0) != (camera.roi_height == 0) || (camera.roi_width == 0 && camera.roi_x + camera.roi_y > 0))
-    throw ConfigError("camera.roi_width is " + std::to_string(camera.roi_width) + " and camera.roi_height " +
-                      std::to_string(camera.roi_height) + ": set both, or neither and no roi_x, roi_y");
+    throw ConfigError("camera.roi width is " + std::to_string(camera.roi_width) + " and its height " +
+                      std::to_string(camera.roi_height) + ": set both, or neither and no offset");
   requireRange("camera.binning_x", camera.binning_x, 1, 1, "(the simulated camera does not bin)");
   requireRange("camera.binning_y", camera.binning_y, 1, 1, "(the simulated camera does not bin)");
 }
@@ -167,8 +169,8 @@ void checkRig(const Calibration& calibration)
                       " deg off the laser plane, the simulated rig needs at least 30");
   if (!(std::sqrt(axis[0] * axis[0] + axis[1] * axis[1]) >= kSinFiveDegrees))
     throw ConfigError("stage.axis lies within 5 deg of the optical axis, turn it");
-  requireRange("laser_plane.distance / laser_plane.normal's z", calibration.laser_plane.distance / normal[2], 0.02, 20.0,
-               "m (where the optical axis meets the plane)");
+  requireRange("laser_plane.distance / laser_plane.normal's z", calibration.laser_plane.distance / normal[2], 0.02,
+               20.0, "m (where the optical axis meets the plane)");
   if (calibration.stage.type != "linear")
     throw ConfigError("stage.type is '" + calibration.stage.type + "', must be linear");
   requireRange("stage.metres_per_unit", calibration.stage.metres_per_unit, 1e-9, 1000.0, "m");

@@ -13,9 +13,9 @@ namespace simulation
 {
 namespace
 {
-constexpr std::size_t kTile = 1U << 20;  // independent noise values; a row begins anywhere in them
-constexpr double kFullScale = 255.0;     // [DN of 8 bit]
-constexpr float kTo16Bit = 257.0F;       // 255 -> 65535
+constexpr std::size_t kTile = 1U << 20;       // independent noise values; a row begins anywhere in them
+constexpr double kFullScale = 255.0;          // [DN of 8 bit]
+constexpr float kTo16Bit = 257.0F;            // 255 -> 65535
 constexpr double kQuantisation = 1.0 / 12.0;  // variance of rounding [DN^2]
 
 // A colour sensor at 650 nm: red, green, blue relative to red.

@@ -41,9 +41,9 @@ private:
   bool filter_;
   std::uint64_t seed_;
   int width_, height_, channels_ = 1, bytes_ = 1;
-  double variance_per_dn_ = 0.0;   ///< of shot noise [DN]
-  std::vector<float> normal_;      ///< standard normal noise, read from random places
-  std::vector<std::uint8_t> dark_; ///< encoded noise of an unlit pixel, likewise
+  double variance_per_dn_ = 0.0;    ///< of shot noise [DN]
+  std::vector<float> normal_;       ///< standard normal noise, read from random places
+  std::vector<std::uint8_t> dark_;  ///< encoded noise of an unlit pixel, likewise
 };
 }  // namespace simulation
 }  // namespace weld_profiler

@@ -12,9 +12,16 @@ namespace simulation
 namespace
 {
 constexpr double kRadPerDeg = 0.017453292519943295;
-constexpr double kProbe = 1e-6;           // step of the projection's derivative [m]
-constexpr double kThinnest = 0.2;         // of the sheet in the image [px]
-constexpr double kThickest = 15.0;        // a surface seen edge-on would smear it without end [px]
+constexpr double kProbe = 1e-6;        // step of the projection's derivative [m]
+constexpr double kThinnest = 0.2;      // of the sheet in the image [px]
+constexpr double kThickest = 15.0;     // a surface seen edge-on would smear it without end [px]
+constexpr double kBounceStep = 50e-6;  // of the search for where mirrored light arrives [m]
+constexpr double kBouncePx = 12.0;     // neighbours that arrive farther apart make no line [px]
+
+Eigen::Vector3d normalOf(const Eigen::Vector2d& slope)
+{
+  return Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
+}
 }  // namespace
 
 Shader::Shader(const SceneParams& scene, const Surface& surface, const Rig& rig, const RigPose& reference)
@@ -36,11 +43,13 @@ Shader::Shader(const SceneParams& scene, const Surface& surface, const Rig& rig,
 Shader::Footprint Shader::footprint(const SheetCut& cut, const CutPoint& point, const Eigen::Vector2d& slope) const
 {
   // Jacobian of (cell, across) over the surface's (x, y), solved for a step of (0, 1)
-  const auto derivative = [&](double dx, double dy) {
+  const auto derivative = [&](double dx, double dy)
+  {
     const Eigen::Vector3d step(dx, dy, slope.x() * dx + slope.y() * dy);
     const StripePixel after = cut.project(point.position + step);
     const StripePixel before = cut.project(point.position - step);
-    return Eigen::Vector2d((after.cell - before.cell) / (2.0 * kProbe), (after.across - before.across) / (2.0 * kProbe));
+    return Eigen::Vector2d((after.cell - before.cell) / (2.0 * kProbe),
+                           (after.across - before.across) / (2.0 * kProbe));
   };
   const Eigen::Vector2d by_x = derivative(kProbe, 0.0);
   const Eigen::Vector2d by_y = derivative(0.0, kProbe);
@@ -70,6 +79,20 @@ double Shader::brightness(const RigPose& pose, const Eigen::Vector3d& position, 
   return result;
 }
 
+LitPoint Shader::light(const SheetCut& cut, const CutPoint& point, const Eigen::Vector2d& slope) const
+{
+  const Footprint here = footprint(cut, point, slope);
+  LitPoint lit;
+  lit.pixel = point.pixel;
+  lit.sheet_sigma = std::min(kThickest, std::max(kThinnest, sheet_sigma_ / std::max(1e-9, std::abs(here.sheet_rate))));
+  lit.amplitude = laser_.peak * gain_ * brightness(cut.pose(), point.position, normalOf(slope));
+  lit.x = point.position.x();
+  lit.y = point.position.y();
+  lit.x_rate = here.x_rate;
+  lit.y_rate = here.y_rate;
+  return lit;
+}
+
 LitLine Shader::shade(const SheetCut& cut, const std::vector<CutPoint>& points) const
 {
   LitLine line;
@@ -79,19 +102,46 @@ LitLine Shader::shade(const SheetCut& cut, const std::vector<CutPoint>& points) 
     const CutPoint& point = points[i];
     if (!point.lit || !point.seen)
       continue;
-    const Eigen::Vector2d slope = surface_.slope(point.position.x(), point.position.y());
-    const Eigen::Vector3d normal = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-    const Footprint here = footprint(cut, point, slope);
-    LitPoint lit;
-    lit.pixel = point.pixel;
-    lit.sheet_sigma = std::min(kThickest, std::max(kThinnest, sheet_sigma_ / std::max(1e-9, std::abs(here.sheet_rate))));
-    lit.amplitude = laser_.peak * gain_ * brightness(cut.pose(), point.position, normal);
-    lit.x = point.position.x();
-    lit.y = point.position.y();
-    lit.x_rate = here.x_rate;
-    lit.y_rate = here.y_rate;
+    LitPoint lit = light(cut, point, surface_.slope(point.position.x(), point.position.y()));
     lit.joined = point.joined && i + 1 < points.size() && points[i + 1].lit && points[i + 1].seen;
     line.push_back(lit);
+  }
+  return line;
+}
+
+bool Shader::bounce(const SheetCut& cut, const CutPoint& from, LitPoint& arrived) const
+{
+  const Eigen::Vector3d normal = normalOf(surface_.slope(from.position.x(), from.position.y()));
+  const Eigen::Vector3d laser = (from.position - cut.pose().emitter).normalized();
+  const Eigen::Vector3d away = laser - 2.0 * laser.dot(normal) * normal;
+  const double distance = surface_.firstHit(from.position, away, kBounceStep);
+  if (distance < 0.0)
+    return false;
+  CutPoint target;
+  target.position = from.position + distance * away;
+  target.position.z() = surface_.height(target.position.x(), target.position.y());
+  const Eigen::Vector3d view = (cut.pose().camera - target.position).normalized();
+  if (surface_.firstHit(target.position, view, kBounceStep) >= 0.0)
+    return false;
+  target.pixel = cut.project(target.position);
+  arrived = light(cut, target, surface_.slope(target.position.x(), target.position.y()));
+  return true;
+}
+
+LitLine Shader::mirror(const SheetCut& cut, const std::vector<CutPoint>& points) const
+{
+  LitLine line;
+  bool before = false;  // the last point's light arrived somewhere too
+  for (const CutPoint& point : points)
+  {
+    LitPoint arrived;
+    const bool hit = point.lit && bounce(cut, point, arrived);
+    if (hit && before)
+      line.back().joined = std::abs(arrived.pixel.cell - line.back().pixel.cell) < kBouncePx &&
+                           std::abs(arrived.pixel.across - line.back().pixel.across) < kBouncePx;
+    if (hit)
+      line.push_back(arrived);
+    before = hit && point.joined;
   }
   return line;
 }

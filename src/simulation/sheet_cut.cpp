@@ -11,11 +11,11 @@ namespace simulation
 {
 namespace
 {
-constexpr double kMarginPx = 12.0;       // the cut goes on this far outside the image, for what the lens spreads inward
-constexpr double kSpacingPx = 0.5;       // of the points
-constexpr double kWallSlope = 8.0;       // steeper than this (83 deg) between neighbours is a wall
-constexpr double kShadowStep = 25e-6;    // of the search along a viewing ray [m]
-constexpr double kGrazing = 1e-9;        // lit points may differ by this in the tangent of the laser's fan
+constexpr double kMarginPx = 12.0;     // the cut goes on this far outside the image, for what the lens spreads inward
+constexpr double kSpacingPx = 0.5;     // of the points
+constexpr double kWallSlope = 8.0;     // steeper than this (83 deg) between neighbours is a wall
+constexpr double kShadowStep = 25e-6;  // of the search along a viewing ray [m]
+constexpr double kGrazing = 1e-9;      // lit points may differ by this in the tangent of the laser's fan
 }  // namespace
 
 SheetCut::SheetCut(const Surface& surface, const Rig& rig, const RigPose& pose)
@@ -63,11 +63,11 @@ Eigen::Vector2d SheetCut::raw(const StripePixel& pixel) const
 
 bool SheetCut::at(double t, CutPoint& point) const
 {
-  constexpr int kIterations = 12;  // contracts by sheet tilt times slope each time; an upright sheet needs one
+  constexpr int kIterations = 12;     // contracts by sheet tilt times slope each time; an upright sheet needs one
   constexpr double kSettled = 1e-10;  // [m]
   constexpr double kUpright = 1e-9;
   const double squared = ahead_.squaredNorm();
-  double z = 0.5 * (surface_.lowest() + surface_.highest());
+  double z = point.position.z();
   for (int i = 0; i < kIterations; ++i)
   {
     const double reach = (pose_.sheet_distance - pose_.sheet_normal.z() * z) / squared;
@@ -95,6 +95,8 @@ std::vector<CutPoint> SheetCut::trace() const
   for (int i = 0; i < count; ++i)
   {
     CutPoint point;
+    if (!points.empty())
+      point.position.z() = points.back().position.z();
     if (!at(first_t_ + i * step, point))
       continue;
     if (last == i - 1)

@@ -22,9 +22,9 @@ struct CutPoint
   double t = 0.0;                                      ///< parameter along the sheet [m]
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< fixed frame
   StripePixel pixel;
-  bool lit = false;         ///< the laser reaches it
-  bool seen = false;        ///< the camera sees it
-  bool joined = false;      ///< the surface runs on to the next point without a wall
+  bool lit = false;     ///< the laser reaches it
+  bool seen = false;    ///< the camera sees it
+  bool joined = false;  ///< the surface runs on to the next point without a wall
 };
 
 /// The laser sheet of one moment, cut with the surface.
@@ -39,6 +39,7 @@ public:
   std::vector<CutPoint> trace() const;
 
   /// Where the sheet meets the surface at t; false where it slips between (the edge of a wall).
+  /// @param point  its height on entry is where the search begins.
   bool at(double t, CutPoint& point) const;
 
   StripePixel project(const Eigen::Vector3d& fixed) const;
@@ -56,10 +57,10 @@ private:
   const Surface& surface_;
   const Rig& rig_;
   RigPose pose_;
-  bool swapped_;             ///< the stripe runs along v
+  bool swapped_;  ///< the stripe runs along v
   int cells_, across_pixels_;
-  Eigen::Vector3d along_;    ///< horizontal direction in the sheet
-  Eigen::Vector3d ahead_;    ///< horizontal, across the sheet
+  Eigen::Vector3d along_;  ///< horizontal direction in the sheet
+  Eigen::Vector3d ahead_;  ///< horizontal, across the sheet
   double first_t_ = 0.0, last_t_ = 0.0;
 };
 }  // namespace simulation

@@ -1,6 +1,9 @@
 #include "weld_profiler/simulation/simulated_scan.h"
 
+#include <algorithm>
+
 #include "simulation/renderer.h"
+#include "simulation/true_sections.h"
 #include "simulation/truth.h"
 
 namespace weld_profiler
@@ -24,31 +27,55 @@ SimulatedScan::SimulatedScan(const SceneParams& scene) : impl_(new Impl(checked(
 
 SimulatedScan::~SimulatedScan() = default;
 
-int SimulatedScan::frameCount() const { return impl_->world.motion.frameCount(); }
+int SimulatedScan::frameCount() const
+{
+  return impl_->world.motion.frameCount();
+}
 
-Stamp SimulatedScan::stamp(int frame) const { return impl_->world.motion.stamp(frame); }
+Stamp SimulatedScan::stamp(int frame) const
+{
+  return impl_->world.motion.stamp(frame);
+}
 
 double SimulatedScan::stagePosition(Stamp stamp) const
 {
   return impl_->world.motion.position(impl_->world.motion.seconds(stamp));
 }
 
-int SimulatedScan::width() const { return impl_->world.rig.camera().width(); }
+int SimulatedScan::width() const
+{
+  return impl_->world.rig.camera().width();
+}
 
-int SimulatedScan::height() const { return impl_->world.rig.camera().height(); }
+int SimulatedScan::height() const
+{
+  return impl_->world.rig.camera().height();
+}
 
-std::string SimulatedScan::encoding() const { return impl_->world.scene.sensor.encoding; }
+std::string SimulatedScan::encoding() const
+{
+  return impl_->world.scene.sensor.encoding;
+}
 
-std::size_t SimulatedScan::step() const { return impl_->world.sensor.step(); }
+std::size_t SimulatedScan::step() const
+{
+  return impl_->world.sensor.step();
+}
 
 void SimulatedScan::render(int frame, std::vector<std::uint8_t>& pixels) const
 {
   simulation::renderFrame(impl_->world, frame, pixels);
 }
 
-std::vector<TruthCentre> SimulatedScan::truth(int frame) const { return simulation::trueCentres(impl_->world, frame); }
+std::vector<TruthCentre> SimulatedScan::truth(int frame) const
+{
+  return simulation::trueCentres(impl_->world, frame);
+}
 
-std::vector<SimulatedEncoderSample> SimulatedScan::encoder() const { return impl_->world.motion.encoder(); }
+std::vector<SimulatedEncoderSample> SimulatedScan::encoder() const
+{
+  return impl_->world.motion.encoder();
+}
 
 std::vector<SimulatedPose> SimulatedScan::poses() const
 {
@@ -70,9 +97,42 @@ std::vector<SimulatedPose> SimulatedScan::poses() const
   return result;
 }
 
-const Calibration& SimulatedScan::calibration() const { return impl_->world.rig.calibration(); }
+const Calibration& SimulatedScan::calibration() const
+{
+  return impl_->world.rig.calibration();
+}
 
-Direction SimulatedScan::direction() const { return impl_->world.rig.direction(); }
+Direction SimulatedScan::direction() const
+{
+  return impl_->world.rig.direction();
+}
 
-const SceneParams& SimulatedScan::scene() const { return impl_->world.scene; }
+const SceneParams& SimulatedScan::scene() const
+{
+  return impl_->world.scene;
+}
+
+double SimulatedScan::surfaceHeight(double x, double y) const
+{
+  return impl_->world.surface.height(x, y);
+}
+
+std::array<double, 4> SimulatedScan::extent() const
+{
+  const simulation::World& world = impl_->world;
+  const double duration = world.motion.duration();
+  const double low = world.motion.lowest();
+  const double high = std::max(world.motion.position(0.0), world.motion.position(duration));
+  const std::vector<simulation::CutPoint> points = world.cut(0.5 * duration).trace();
+  if (points.empty())
+    return { { 0.0, 0.0, low, high } };
+  const double first = points.front().position.x();
+  const double last = points.back().position.x();
+  return { { std::min(first, last), std::max(first, last), low, high } };
+}
+
+std::vector<WeldTruth> SimulatedScan::weldSections() const
+{
+  return simulation::trueSections(impl_->world);
+}
 }  // namespace weld_profiler

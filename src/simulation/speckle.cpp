@@ -10,7 +10,7 @@ namespace simulation
 {
 namespace
 {
-constexpr int kSize = 1024;            // tile points a side, a power of two; repeats after 256 grains
+constexpr int kSize = 1024;  // tile points a side, a power of two; repeats after 256 grains
 constexpr double kPointsPerGrain = 4.0;
 constexpr double kFwhmPerSigma = 2.3548200450309493;
 
@@ -34,7 +34,8 @@ std::vector<float> blurred(const std::vector<float>& from, double sigma, int str
   return to;
 }
 
-/// Variance that bilinear reading takes from a field with this correlation between neighbours, averaged over all places.
+/// Variance that bilinear reading takes from a field with this correlation between neighbours, averaged over all
+/// places.
 double bilinearLoss(double sigma)
 {
   const double neighbour = std::exp(-0.25 / (sigma * sigma));
@@ -48,7 +49,8 @@ Speckle::Speckle(const SceneParams& scene, double x_metres_px, double y_metres_p
   const double contrast = scene.speckle.contrast;
   if (contrast <= 0.0)
     return;
-  // A Gaussian blur of sigma f gives an autocovariance of sigma sqrt(2) f, whose full width at half maximum is the grain.
+  // A Gaussian blur of sigma f gives an autocovariance of sigma sqrt(2) f, whose full width at half maximum is the
+  // grain.
   const double sigma = kPointsPerGrain / (kFwhmPerSigma * std::sqrt(2.0));
   x_scale_ = kPointsPerGrain / (scene.speckle.grain_px * x_metres_px);
   y_scale_ = kPointsPerGrain / (scene.speckle.grain_px * y_metres_px);

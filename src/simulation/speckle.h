@@ -8,7 +8,8 @@ namespace weld_profiler
 {
 namespace simulation
 {
-/// Speckle as a factor of mean 1 that is fixed to the surface: smoothed white noise through an exponential (log-normal).
+/// Speckle as a factor of mean 1 that is fixed to the surface: smoothed white noise through an exponential
+/// (log-normal).
 class Speckle
 {
 public:

@@ -46,6 +46,8 @@ StripeBand::StripeBand(int cells, int first, int last)
 void StripeBand::paint(const LitLine& line, const Brush& brush)
 {
   sheet_.assign(sum_.size(), 0.0F);
+  low_ = last_;
+  high_ = first_;
   columns_.assign(static_cast<std::size_t>(columns_wide_), Column());
   paintColumns(line, brush);
   spreadAlong(brush.lens_sigma);
@@ -78,6 +80,8 @@ void StripeBand::paintColumn(int index_in_row, const LitPoint& point, const Brus
     return;
   const int low = std::max(first_, static_cast<int>(std::ceil(across - reach)));
   const int high = std::min(last_ - 1, static_cast<int>(std::floor(across + reach)));
+  low_ = std::min(low_, low);
+  high_ = std::max(high_, high + 1);
   // exp(-d^2 / 2 s^2) over equal steps is a product of two running factors
   const double rate = 1.0 / (sigma * sigma);
   const double start = low - across;
@@ -105,9 +109,12 @@ void StripeBand::spreadAlong(double sigma)
     kernel.push_back(static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma))));
   for (const float weight : kernel)
     total += weight;
-  lens_.assign(sheet_.size(), 0.0F);
+  lens_.resize(sheet_.size());
+  if (low_ < high_)
+    std::fill(lens_.begin() + static_cast<std::ptrdiff_t>(index(low_)),
+              lens_.begin() + static_cast<std::ptrdiff_t>(index(high_)), 0.0F);
   const int wide = columns_wide_;
-  for (int row = first_; row < last_; ++row)
+  for (int row = low_; row < high_; ++row)
     for (int k = -reach; k <= reach; ++k)
     {
       const float weight = kernel[static_cast<std::size_t>(k + reach)] / total;
@@ -145,11 +152,11 @@ void StripeBand::add(const Speckle* speckle)
 {
   if (speckle == nullptr || !speckle->on())
   {
-    for (std::size_t i = 0; i < sum_.size(); ++i)
+    for (std::size_t i = low_ < high_ ? index(low_) : 0; low_ < high_ && i < index(high_); ++i)
       sum_[i] += lens_[i];
     return;
   }
-  for (int row = first_; row < last_; ++row)
+  for (int row = low_; row < high_; ++row)
   {
     float* sum = &sum_[index(row)];
     const float* light = &lens_[index(row)];

@@ -12,9 +12,9 @@ namespace simulation
 /// How a line of light is painted.
 struct Brush
 {
-  double gain = 1.0;          ///< of the amplitude
-  double shift = 0.0;         ///< across [px]
-  double lens_sigma = 1.0;    ///< spread in every direction [px]
+  double gain = 1.0;        ///< of the amplitude
+  double shift = 0.0;       ///< across [px]
+  double lens_sigma = 1.0;  ///< spread in every direction [px]
   const Speckle* speckle = nullptr;
 };
 
@@ -50,6 +50,7 @@ private:
   void fillGaps(int reach);
 
   int cells_, columns_wide_, first_, last_;
+  int low_ = 0, high_ = 0;  ///< rows that the line in work touches, high_ excluded
   std::vector<float> sum_;
   std::vector<float> sheet_, lens_;  ///< scratch of one line
   std::vector<Column> columns_;

@@ -12,12 +12,12 @@ namespace simulation
 {
 namespace
 {
-constexpr double kCell = 0.001;         // of the grid of ceilings and buckets [m]
-constexpr double kHalfField = 0.05;     // the grid reaches this far from the seam and beyond the scan [m]
-constexpr double kProbe = 0.0001;       // spacing of the heights that make a ceiling [m]
-constexpr double kCeilingMargin = 5e-5; // for what lies between probes: 45 degrees over half a probe [m]
-constexpr double kSlopeStep = 2e-6;     // [m]
-constexpr double kBallFloor = 0.4;      // height of a ball's centre over the surface, in radii
+constexpr double kCell = 0.001;          // of the grid of ceilings and buckets [m]
+constexpr double kHalfField = 0.05;      // the grid reaches this far from the seam and beyond the scan [m]
+constexpr double kProbe = 0.0001;        // spacing of the heights that make a ceiling [m]
+constexpr double kCeilingMargin = 5e-5;  // for what lies between probes: 45 degrees over half a probe [m]
+constexpr double kSlopeStep = 2e-6;      // [m]
+constexpr double kBallFloor = 0.4;       // height of a ball's centre over the surface, in radii
 }  // namespace
 
 Surface::Surface(const SceneParams& scene, double y_offset, double length)
@@ -128,7 +128,8 @@ void Surface::findCeilings()
   highest_ = -std::numeric_limits<double>::infinity();
   lowest_ = std::numeric_limits<double>::infinity();
   ceilings_.assign(buckets_.size(), -std::numeric_limits<float>::infinity());
-  const auto probeBox = [this](double x, double y, double width, double length) {
+  const auto probeBox = [this](double x, double y, double width, double length)
+  {
     const int columns = static_cast<int>(std::ceil(width / kProbe));
     const int rows = static_cast<int>(std::ceil(length / kProbe));
     for (int row = 0; row <= rows; ++row)

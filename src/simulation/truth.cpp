@@ -22,7 +22,8 @@ struct Crossing
 bool solve(const SheetCut& cut, const CutPoint& a, const CutPoint& b, double cell, CutPoint& found)
 {
   constexpr int kIterations = 40;
-  constexpr double kSettled = 1e-9;  // [px]
+  constexpr double kSettled = 1e-8;  // [px]
+  found.position.z() = a.position.z();
   double low = a.t, high = b.t;
   double low_error = a.pixel.cell - cell, high_error = b.pixel.cell - cell;
   for (int i = 0; i < kIterations; ++i)
@@ -66,11 +67,12 @@ std::vector<std::vector<Crossing>> crossings(const SheetCut& cut)
 }
 
 /// Direction across the stripe's image, from +u toward +v, in (-pi/2, pi/2].
-double normalAngle(const SheetCut& cut, double t)
+double normalAngle(const SheetCut& cut, const CutPoint& centre)
 {
   constexpr double kStep = 2e-6;  // [m]
-  CutPoint before, after;
-  if (!cut.at(t - kStep, before) || !cut.at(t + kStep, after))
+  CutPoint before = centre;
+  CutPoint after = centre;
+  if (!cut.at(centre.t - kStep, before) || !cut.at(centre.t + kStep, after))
     return 0.5 * kPi;
   const Eigen::Vector2d along = cut.raw(after.pixel) - cut.raw(before.pixel);
   double angle = std::atan2(along.x(), -along.y());
@@ -82,13 +84,13 @@ double normalAngle(const SheetCut& cut, double t)
 }
 
 /// Does the surface jump at t while the shutter is open? Then the image shows two stripes or none that is right.
-bool jumps(const std::vector<SheetCut>& ends, double t, double across)
+bool jumps(const std::vector<SheetCut>& ends, const CutPoint& middle)
 {
   constexpr double kJumpPx = 1.0;
   for (const SheetCut& end : ends)
   {
-    CutPoint point;
-    if (!end.at(t, point) || std::abs(point.pixel.across - across) > kJumpPx)
+    CutPoint point = middle;
+    if (!end.at(middle.t, point) || std::abs(point.pixel.across - middle.pixel.across) > kJumpPx)
       return true;
   }
   return false;
@@ -103,13 +105,13 @@ TruthCentre centre(const SheetCut& cut, const std::vector<SheetCut>& ends, int c
   const Eigen::Vector2d raw = cut.raw(chosen.pixel);
   result.u = raw.x();
   result.v = raw.y();
-  result.normal_angle = normalAngle(cut, chosen.t);
+  result.normal_angle = normalAngle(cut, chosen);
   result.x = chosen.position.x();
   result.y = chosen.position.y();
   result.z = chosen.position.z();
   const double across = chosen.pixel.across;
   result.visible = std::count_if(found.begin(), found.end(), isClear) == 1 && across >= 0.0 &&
-                   across <= cut.acrossPixels() - 1.0 && !jumps(ends, chosen.t, across);
+                   across <= cut.acrossPixels() - 1.0 && !jumps(ends, chosen);
   return result;
 }
 }  // namespace

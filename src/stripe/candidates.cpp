@@ -1,6 +1,6 @@
 #include "candidates.h"
 
-#include <cmath>
+#include <limits>
 
 namespace weld_profiler
 {
@@ -19,6 +19,22 @@ constexpr double kSteepest = 2.5;              ///< widening down the column of 
 double medianGain(int size)
 {
   return size == 0 ? 1.0 : (size == 3 ? 0.42 : 0.25);
+}
+
+template <class Pixel>
+void raiseTo(const Pixel* values, int count, Pixel* __restrict highest)
+{
+  for (int i = 0; i < count; ++i)
+    highest[i] = std::max(highest[i], values[i]);
+}
+
+template <class Pixel>
+Pixel largest(const Pixel* values, int count)
+{
+  Pixel result = 0;
+  for (int i = 0; i < count; ++i)
+    result = std::max(result, values[i]);
+  return result;
 }
 }  // namespace
 
@@ -75,27 +91,23 @@ void CandidateFinder::find(const ImageView& image, const StripeParams& params, c
 template <class Pixel>
 void CandidateFinder::findZones(const ImageView& image, double floor)
 {
+  const int width = image.width;  // a copy: the compiler must know that writing pixels does not change it
+  const auto dark = static_cast<Pixel>(std::min<double>(floor, std::numeric_limits<Pixel>::max()));
   std::vector<Pixel>& highest = maxima<Pixel>();
+  highest.resize(static_cast<std::size_t>(width));
   for (int block = 0; block * kRows < image.height; ++block)
   {
-    highest.assign(static_cast<std::size_t>(image.width), 0);
-    for (int v = block * kRows; v < std::min(image.height, (block + 1) * kRows); ++v)
+    const int first = block * kRows;
+    std::copy_n(image.row<Pixel>(first), width, highest.begin());
+    for (int v = first + 1; v < std::min(image.height, first + kRows); ++v)
+      raiseTo(image.row<Pixel>(v), width, highest.data());
+    for (int begin = 0; begin < width; begin += kChunk)
     {
-      const Pixel* row = image.row<Pixel>(v);
-      Pixel* out = highest.data();
-      for (int u = 0; u < image.width; ++u)
-        out[u] = std::max(out[u], row[u]);
-    }
-    for (int begin = 0; begin < image.width; begin += kChunk)
-    {
-      const int end = std::min(image.width, begin + kChunk);
-      Pixel chunk = 0;
-      for (int u = begin; u < end; ++u)
-        chunk = std::max(chunk, highest[static_cast<std::size_t>(u)]);
-      if (chunk <= floor)
+      const int end = std::min(width, begin + kChunk);
+      if (largest(highest.data() + begin, end - begin) <= dark)
         continue;
       for (int u = begin; u < end; ++u)
-        if (highest[static_cast<std::size_t>(u)] > floor)
+        if (highest[static_cast<std::size_t>(u)] > dark)
           addBlock(u, block);
     }
   }

@@ -11,6 +11,7 @@ struct Centre
 {
   int cell = 0;
   double u = 0.0, v = 0.0;
+  double initial_v = 0.0;     ///< where the centroid put it; its pixel block is the nearest pixel
   double sigma_column = 0.0;  ///< 1-sigma half width of the stripe down the column
   double background = 0.0;    ///< under the stripe, at v
   double gradient = 0.0;      ///< of the background, per row

@@ -8,9 +8,9 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr int kColumnStride = 8;        ///< every 8th column gives the histogram: 0.1 ms instead of 1 ms a frame
-constexpr int kNoiseRows = 32;          ///< rows that give the noise
-constexpr double kQuantisation = 0.29;  ///< 1-sigma of rounding to whole levels of 8 bit: 1 / sqrt(12)
+constexpr int kColumns = 96;                    ///< that give the histogram: 0.1 ms instead of 1 ms a frame
+constexpr int kNoiseRows = 32;                  ///< rows that give the noise
+constexpr double kQuantisation = 0.29;          ///< 1-sigma of rounding to whole levels of 8 bit: 1 / sqrt(12)
 constexpr double kMedianOfDifference = 0.9539;  ///< median of |a - b| of two normal values, in their sigma
 
 /// Value below which a share of the histogram lies. Bin i holds values from i - 1/2 to i + 1/2, bin 0 those from 0.
@@ -34,7 +34,7 @@ double quantile(const Histogram& histogram, double share)
 template <class Pixel>
 void sampleLevels(const ImageView& image, double bin, Histogram& histogram)
 {
-  const int stride = image.width >= 16 * kColumnStride ? kColumnStride : 1;
+  const int stride = std::max(1, image.width / kColumns);
   const auto scale = static_cast<float>(1.0 / bin);
   const bool whole = sizeof(Pixel) == 1 && bin == 1.0;
   std::array<Histogram, 2> part{};  // two, so that equal neighbours don't wait for each other's store

@@ -32,7 +32,17 @@ public:
   const ImageView& filtered() const { return filtered_; }
 
 private:
+  /// Pixels [u, u + width) of rows [v, v + height).
+  struct Span
+  {
+    int u, v, width, height;
+  };
+
   void filterSpan(int tile_row, int first_tile, int last_tile);
+  template <class Pixel>
+  void filterSpan3(const Span& span);
+  template <class Pixel>
+  void filterSpan5(const Span& span);
 
   ImageView image_;
   ImageView filtered_;
@@ -41,6 +51,6 @@ private:
   int tiles_v_ = 0;
   std::vector<std::uint8_t> requested_;
   std::vector<std::uint8_t> memory_;
-  std::vector<std::uint8_t> span_;
+  std::vector<std::uint8_t> sorted_;  ///< scratch of one span
 };
 }  // namespace weld_profiler

@@ -7,23 +7,28 @@
 
 namespace weld_profiler
 {
-namespace
+void finish(const StripeParams& params, const Levels& levels, Workspace& workspace, Stripe& stripe)
 {
-/// The pixel blocks and initial points, for the overlay.
-void keepTrace(const std::vector<Centre>& centres, std::vector<InitialPoint>& initial)
-{
-  initial.clear();
-  for (const Centre& centre : centres)
+  Workspace::Scratch& scratch = workspace.scratch();
+  scratch.scatter.measure(scratch.centres);
+  writeStripe(scratch.centres, scratch.scatter, params, levels, stripe);
+  if (stripe.empty())
+    stripe.status = StripeStatus::NoStripe;
+  if (!workspace.keep_trace)
+    return;
+  for (std::size_t i = 0, written = 0; written < stripe.size(); ++i)
   {
+    const Centre& centre = scratch.centres[i];
+    if (centre.cell != stripe.cell[written])
+      continue;
     InitialPoint point;
-    point.block_u = static_cast<float>(centre.cell);
-    point.block_v = static_cast<float>(std::lround(centre.v));
-    point.u = static_cast<float>(centre.u);
-    point.v = static_cast<float>(centre.v);
-    initial.push_back(point);
+    point.u = point.block_u = static_cast<float>(centre.cell);
+    point.v = static_cast<float>(centre.initial_v);
+    point.block_v = static_cast<float>(std::lround(centre.initial_v));
+    workspace.initial.push_back(point);
+    ++written;
   }
 }
-}  // namespace
 
 void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Workspace& workspace, Stripe& stripe) const
 {
@@ -38,13 +43,10 @@ void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Wor
   const Levels levels = levelsOf(image, params_);
   scratch.centroid.measure(image, levels, scratch.statistics, weight(), scratch.seeds, scratch.centres);
   measureSlopes(scratch.centres);
-  if (workspace.keep_trace)
-    keepTrace(scratch.centres, workspace.initial);
+  for (Centre& centre : scratch.centres)
+    centre.initial_v = centre.v;
   refine(image, scratch);
-  scratch.scatter.measure(scratch.centres);
-  writeStripe(scratch.centres, scratch.scatter, params_, levels, stripe);
-  if (stripe.empty())
-    stripe.status = StripeStatus::NoStripe;
+  finish(params_, levels, workspace, stripe);
 }
 
 void MethodBase::refine(const ImageView& /*image*/, Workspace::Scratch& /*scratch*/) const {}

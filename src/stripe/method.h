@@ -31,6 +31,12 @@ private:
   StripeParams params_;
 };
 
+/// The way out of every method: measures the scatter, writes the stripe and, if the caller asked for it, the trace.
+void finish(const StripeParams& params, const Levels& levels, Workspace& workspace, Stripe& stripe);
+
 std::unique_ptr<const StripeExtractor> makeGrayCentroid(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makeSquaredCentroid(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeSvd(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makePca(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeSteger(const StripeParams& params);
 }  // namespace weld_profiler

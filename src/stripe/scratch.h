@@ -8,6 +8,7 @@
 #include "centroid.h"
 #include "channel.h"
 #include "continuity.h"
+#include "derivatives.h"
 #include "weld_profiler/stripe/workspace.h"
 
 namespace weld_profiler
@@ -32,5 +33,8 @@ struct Workspace::Scratch
   ColumnCentroid centroid;
   std::vector<Centre> centres;
   LineScatter scatter;
+  DerivativeKernel kernel;
+  std::vector<double> widths;
+  std::vector<std::uint8_t> filtered;  ///< the whole frame's median, of the literal reading only
 };
 }  // namespace weld_profiler

@@ -17,6 +17,9 @@ struct MethodEntry
 const MethodEntry kMethods[] = {
   { "gray_centroid", makeGrayCentroid },
   { "squared_centroid", makeSquaredCentroid },
+  { "svd", makeSvd },
+  { "pca", makePca },
+  { "steger", makeSteger },
 };
 }  // namespace
 

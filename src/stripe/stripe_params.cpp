@@ -27,7 +27,8 @@ void StripeParams::validate() const
   requireRange("stripe/saturation_level", saturation_level, 0.0, 65535.0);
   if (median_size_px != 0 && median_size_px != 3 && median_size_px != 5)
     throw ConfigError("stripe/median_size_px is " + std::to_string(median_size_px) + ", must be one of: 0, 3, 5");
-  requireRange("stripe/hessian_sigma_px", hessian_sigma_px, 0.0, 20.0, "px");
+  if (hessian_sigma_px != 0.0)  // told from the stripe
+    requireRange("stripe/hessian_sigma_px (or 0)", hessian_sigma_px, 0.5, 20.0, "px");
   requireOneOf("stripe/derivatives", derivatives, Names{ "gaussian", "sobel" });
   requireOneOf("stripe/taylor", taylor, Names{ "sound", "literal" });
   requireRange("stripe/max_gap_px", max_gap_px, 0, 1000, "px");

@@ -54,36 +54,11 @@ std::string toText(double value)
   text << value;
   return text.str();
 }
-
-// Breaks text at spaces so that it fits a terminal, each further line indented.
-std::string wrapped(const std::string& text, std::size_t indent)
-{
-  constexpr std::size_t kWidth = 100;
-  std::istringstream words(text);
-  std::string line;
-  std::string result;
-  for (std::string word; words >> word;)
-  {
-    if (!line.empty() && indent + line.size() + 1 + word.size() > kWidth)
-    {
-      result += line + "\n" + std::string(indent, ' ');
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return result + line;
-}
-
-std::string helpLine(const std::string& left, const std::string& text)
-{
-  constexpr std::size_t kColumn = 26;
-  const std::string gap = left.size() + 2 < kColumn ? std::string(kColumn - left.size() - 2, ' ')
-                                                    : "\n" + std::string(kColumn, ' ');
-  return "  " + left + gap + wrapped(text, kColumn) + "\n";
-}
 }  // namespace
 
-CommandLine::CommandLine(std::string name, std::string summary) : name_(std::move(name)), summary_(std::move(summary)) {}
+CommandLine::CommandLine(std::string name, std::string summary) : name_(std::move(name)), summary_(std::move(summary))
+{
+}
 
 void CommandLine::add(const std::string& usage, const std::string& help, std::function<void(const std::string&)> set)
 {
@@ -121,7 +96,10 @@ void CommandLine::flag(const std::string& name, bool& target, const std::string&
   add(name, help, [&target](const std::string&) { target = true; });
 }
 
-void CommandLine::required() { options_.back().required = true; }
+void CommandLine::required()
+{
+  options_.back().required = true;
+}
 
 void CommandLine::arguments(const std::string& placeholder, std::vector<std::string>& target, const std::string& help)
 {
@@ -130,7 +108,10 @@ void CommandLine::arguments(const std::string& placeholder, std::vector<std::str
   arguments_ = &target;
 }
 
-void CommandLine::example(const std::string& line) { examples_.push_back(line); }
+void CommandLine::example(const std::string& line)
+{
+  examples_.push_back(line);
+}
 
 CommandLine::Option& CommandLine::find(const std::string& name)
 {
@@ -180,6 +161,8 @@ std::size_t CommandLine::readOption(const std::vector<std::string>& words, std::
 bool CommandLine::parse(int argc, const char* const* argv)
 {
   const std::vector<std::string> words(argv + 1, argv + argc);
+  for (Option& option : options_)
+    option.given = false;
   std::vector<std::string> rest;
   for (std::size_t at = 0; at < words.size();)
   {
@@ -214,36 +197,5 @@ bool CommandLine::parse(int argc, const char* const* argv)
   if (arguments_)
     *arguments_ = rest;
   return true;
-}
-
-std::string CommandLine::synopsis() const
-{
-  std::string line = "usage: " + name_;
-  for (const Option& option : options_)
-  {
-    const std::string text = "--" + option.name + (option.placeholder.empty() ? "" : " " + option.placeholder);
-    line += option.required ? " " + text : " [" + text + "]";
-  }
-  return wrapped(line + " " + arguments_placeholder_, 4) + "\n";
-}
-
-std::string CommandLine::help() const
-{
-  std::string text = synopsis() + "\n" + summary_ + "\n\n";
-  if (arguments_)
-    text += helpLine(arguments_placeholder_, arguments_help_);
-  for (const Option& option : options_)
-  {
-    const std::string left = "--" + option.name + (option.placeholder.empty() ? "" : " " + option.placeholder);
-    const std::string remark = option.required ? " (required)"
-                               : option.default_text.empty() ? ""
-                                                             : " (default " + option.default_text + ")";
-    text += helpLine(left, option.help + remark);
-  }
-  text += helpLine("--help", "this text");
-  text += "\nexamples:\n";
-  for (const std::string& line : examples_)
-    text += "  " + line + "\n";
-  return text + "\nexit status: 0 good; 1 bad input, one line on standard error; 2 usage; 3 ran, but the result is poor\n";
 }
 }  // namespace weld_profiler

@@ -63,9 +63,9 @@ StripeParams stripeParams(const Options& options)
   ParamsFile file(options.params);
   file.load("stripe_centre", params);
   file.refuseUnknown();
-  for (const auto& [chosen, field] : { std::make_pair(&options.method, &params.method),
-                                       std::make_pair(&options.direction, &params.direction),
-                                       std::make_pair(&options.channel, &params.channel) })
+  for (const auto& [chosen, field] :
+       { std::make_pair(&options.method, &params.method), std::make_pair(&options.direction, &params.direction),
+         std::make_pair(&options.channel, &params.channel) })
     if (!chosen->empty())
       *field = *chosen;
   return params;

@@ -12,7 +12,7 @@ namespace
 {
 const std::set<std::string>& sections()
 {
-  static const std::set<std::string> names = { "camera",        "simulated_rig",    "stage_encoder",
+  static const std::set<std::string> names = { "camera",        "simulated_rig", "stage_encoder",
                                                "stripe_centre", "triangulation", "weld_measurement" };
   return names;
 }

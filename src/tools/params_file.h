@@ -19,7 +19,8 @@ public:
   /// Sets nothing: every parameter keeps its default.
   ParamsFile() = default;
 
-  /// @param path  empty = as ParamsFile(). @throws InputError (cannot be read), ConfigError (not YAML, unknown section).
+  /// @param path  empty = as ParamsFile(). @throws InputError (cannot be read), ConfigError (not YAML, unknown
+  /// section).
   explicit ParamsFile(const std::string& path);
 
   /// Reads the fields of the parameter structs that make up one nodelet's section.

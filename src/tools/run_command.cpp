@@ -11,7 +11,10 @@ namespace
 {
 volatile std::sig_atomic_t interrupted = 0;
 
-void onSignal(int /*signal*/) { interrupted = 1; }
+void onSignal(int /*signal*/)
+{
+  interrupted = 1;
+}
 
 std::string oneLine(std::string text)
 {

@@ -11,7 +11,7 @@ namespace weld_profiler
 enum ExitStatus
 {
   kGood = 0,
-  kBadInput = 1,   ///< one line on standard error names the file, the cause and what to do; no partial output
+  kBadInput = 1,  ///< one line on standard error names the file, the cause and what to do; no partial output
   kUsage = 2,
   kPoorResult = 3,  ///< ran, but the result is poor: files kept, said so
   kInterrupted = 130

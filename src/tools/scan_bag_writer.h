@@ -37,8 +37,8 @@ struct ScanBagNames
   std::string joint = "stage_joint";
 };
 
-/// Writes image_raw, camera_info, joint_states and /tf of one scan in the order of their stamps; a message's time in the
-/// bag is its stamp, so that a replay keeps the order. No ROS master, same input -> same bytes.
+/// Writes image_raw, camera_info, joint_states and /tf of one scan in the order of their stamps; a message's time in
+/// the bag is its stamp, so that a replay keeps the order. No ROS master, same input -> same bytes.
 class ScanBagWriter
 {
 public:

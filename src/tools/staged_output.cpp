@@ -66,10 +66,7 @@ std::string StagedOutput::directory(const std::string& target)
   std::error_code error;
   if (fs::exists(target, error) && !fs::is_directory(target, error))
     refuse(target, "a file of this name is in the way; remove it");
-  const std::string temporary = stage(target);
-  if (!fs::create_directory(temporary, error))
-    refuse(target, error ? error.message() : temporary + " is in the way; remove it");
-  return temporary;
+  return stage(target);
 }
 
 void StagedOutput::commit()

@@ -18,7 +18,7 @@ public:
   /// @return where to write the file meanwhile. @throws InputError when the target cannot be written there.
   std::string file(const std::string& target);
 
-  /// The same for a directory, which is created. An existing one is replaced on commit().
+  /// The same for a directory, which the caller creates. An existing one is replaced on commit().
   std::string directory(const std::string& target);
 
   /// @throws InputError naming the target.

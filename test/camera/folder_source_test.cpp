@@ -161,8 +161,7 @@ TEST_F(FolderSourceTest, ReportsAnImageOfAnotherSizeAndGoesOn)
   Frame frame;
   ASSERT_EQ(source.next(frame, 1.0), Result::Frame);
   ASSERT_EQ(source.next(frame, 1.0), Result::Failed);
-  EXPECT_NE(source.message().find("2.png: is 40x24 mono8, but the images before it are 32x24 mono8"),
-            std::string::npos)
+  EXPECT_NE(source.message().find("2.png: is 40x24 mono8, but the images before it are 32x24 mono8"), std::string::npos)
       << source.message();
   EXPECT_EQ(source.next(frame, 1.0), Result::Frame);
 }

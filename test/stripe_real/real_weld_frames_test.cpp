@@ -13,8 +13,9 @@
 #include "weld_profiler/stripe/stripe_methods.h"
 #include "weld_profiler/stripe/stripe_stage.h"
 
-// Six frames of a weld-seam sensor on bare metal against the stripe as marked by hand (test/data/real/*.csv, vertices of
-// polylines in pixels, good to 1-2 px). The images are not part of the package: docs/real-data.md says where they are from.
+// Six frames of a weld-seam sensor on bare metal against the stripe as marked by hand (test/data/real/*.csv, vertices
+// of polylines in pixels, good to 1-2 px). The images are not part of the package: docs/real-data.md says where they
+// are from.
 
 namespace weld_profiler
 {
@@ -152,7 +153,9 @@ TEST_P(RealWeldFrames, FindsTheMarkedStripe)
   }
   std::cout << GetParam() << " all: " << 100.0 * total.share() << " %, " << total.wrong << " further off" << std::endl;
   ASSERT_GT(total.marked, 8000) << "the loop above judged something";
-  EXPECT_GE(total.share(), GetParam() == StripeParams().method ? 0.95 : 0.90);
+  // measured 99.4 % for the default method; what is missing lies in the dark step of test103
+  EXPECT_GE(total.share(), GetParam() == StripeParams().method ? 0.98 : 0.90);
+  EXPECT_LE(total.wrong, total.marked / 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryMethod, RealWeldFrames, ::testing::ValuesIn(stripeMethods()),

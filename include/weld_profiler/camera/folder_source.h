@@ -11,12 +11,12 @@ namespace weld_profiler
 /// Settings of FolderSource.
 struct FolderSourceParams
 {
-  std::string images;         ///< a directory, or a glob such as /data/run3/*.png
-  double rate = 20.0;         ///< frames a second, (0, 10000]
-  bool loop = false;          ///< begin again after the last image
-  double exposure = 0.0;      ///< written into the frames [s], >= 0; 0 = unknown
+  std::string images;     ///< a directory, or a glob such as /data/run3/*.png
+  double rate = 20.0;     ///< frames a second, (0, 10000]
+  bool loop = false;      ///< begin again after the last image
+  double exposure = 0.0;  ///< written into the frames [s], >= 0; 0 = unknown
 
-  void validate() const;      ///< @throws ConfigError naming field, value and range
+  void validate() const;  ///< @throws ConfigError naming field, value and range
 
   template <class Visitor>
   void visit(Visitor&& v)

@@ -12,10 +12,10 @@ class FrameSource
 public:
   enum class Result
   {
-    Frame,     ///< frame was filled
-    Timeout,   ///< nothing yet, ask again
-    End,       ///< no more frames (a folder played once)
-    Failed     ///< this frame could not be read; message() says why; asking again goes on with the next
+    Frame,    ///< frame was filled
+    Timeout,  ///< nothing yet, ask again
+    End,      ///< no more frames (a folder played once)
+    Failed    ///< this frame could not be read; message() says why; asking again goes on with the next
   };
 
   virtual ~FrameSource() = default;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "weld_profiler/core/balance.h"
 #include "weld_profiler/core/scan.h"
@@ -75,6 +76,7 @@ private:
   Sinks sinks_;
   std::deque<SensorProfile> waiting_;
   Stamp last_stamp_ = std::numeric_limits<Stamp>::min();
+  std::optional<Stamp> last_placed_;
   FrameBalance balance_;
   bool scanning_ = true;
 };

@@ -16,10 +16,10 @@ namespace weld_profiler
 /// Two plates, left and right of the weld.
 struct ScenePlates
 {
-  double x = 0.0;              ///< where the seam's middle lies across the field [m], +-0.1
-  double height = 0.0;         ///< of the surface above the scan frame's origin [m], +-0.05
-  double misalignment = 0.0;   ///< right plate above the left at the seam [m], +-0.01
-  double angle_deg = 0.0;      ///< angle between the plates, > 0 = both rise outward [deg], +-30
+  double x = 0.0;             ///< where the seam's middle lies across the field [m], +-0.1
+  double height = 0.0;        ///< of the surface above the scan frame's origin [m], +-0.05
+  double misalignment = 0.0;  ///< right plate above the left at the seam [m], +-0.01
+  double angle_deg = 0.0;     ///< angle between the plates, > 0 = both rise outward [deg], +-30
 
   template <class V>
   void visit(V&& v)
@@ -31,18 +31,18 @@ struct ScenePlates
 /// A weld bead: circular segment above the chord of its toes.
 struct SceneWeld
 {
-  double width = 0.010;           ///< distance of the toes [m], 0 = no weld
-  double reinforcement = 0.002;   ///< height of the crest above the chord, without ripples [m]
-  double start = 0.0;             ///< part y of its first end (before yaw) [m]
-  double length = 0.050;          ///< [m]
-  double end_length = 0.004;      ///< over which width and height rise at its ends [m]
-  double yaw_deg = 0.0;           ///< of its middle's tangent from +y toward -x [deg], +-30
-  double curvature = 0.0;         ///< of its path, > 0 = bends to the right [1/m], +-10
-  double ripple_height = 0.0;     ///< crest to trough [m]
-  double ripple_pitch = 0.0012;   ///< [m]
-  double undercut_left = 0.0;     ///< depth [m]
-  double undercut_right = 0.0;    ///< depth [m]
-  double undercut_width = 0.0012; ///< [m]
+  double width = 0.010;            ///< distance of the toes [m], 0 = no weld
+  double reinforcement = 0.002;    ///< height of the crest above the chord, without ripples [m]
+  double start = 0.0;              ///< part y of its first end (before yaw) [m]
+  double length = 0.050;           ///< [m]
+  double end_length = 0.004;       ///< over which width and height rise at its ends [m]
+  double yaw_deg = 0.0;            ///< of its middle's tangent from +y toward -x [deg], +-30
+  double curvature = 0.0;          ///< of its path, > 0 = bends to the right [1/m], +-10
+  double ripple_height = 0.0;      ///< crest to trough [m]
+  double ripple_pitch = 0.0012;    ///< [m]
+  double undercut_left = 0.0;      ///< depth [m]
+  double undercut_right = 0.0;     ///< depth [m]
+  double undercut_width = 0.0012;  ///< [m]
 
   template <class V>
   void visit(V&& v)
@@ -175,16 +175,16 @@ struct SceneParams
   bool motion_blur = true;
 
   // motion
-  std::string motion = "stage";   ///< stage, or tf: the sensor's pose in a fixed frame moves and turns
-  bool part_moves = false;        ///< the part moves along `stage.axis` under a fixed sensor: the true axis is -axis
-  double start_position = 0.0;    ///< of the stage at the first frame [m]
-  double part_start = 0.0;        ///< part y over which the scan begins [m]
-  double speed = 0.005;           ///< mean, < 0 = the stage's position falls [m/s]
-  double speed_variation = 0.0;   ///< amplitude over mean, 0..0.95
-  double speed_period = 2.0;      ///< of the variation [s]
-  double tf_rotation_deg = 6.0;   ///< with tf: the sensor's turn over the whole scan [deg]
+  std::string motion = "stage";  ///< stage, or tf: the sensor's pose in a fixed frame moves and turns
+  bool part_moves = false;       ///< the part moves along `stage.axis` under a fixed sensor: the true axis is -axis
+  double start_position = 0.0;   ///< of the stage at the first frame [m]
+  double part_start = 0.0;       ///< part y over which the scan begins [m]
+  double speed = 0.005;          ///< mean, < 0 = the stage's position falls [m/s]
+  double speed_variation = 0.0;  ///< amplitude over mean, 0..0.95
+  double speed_period = 2.0;     ///< of the variation [s]
+  double tf_rotation_deg = 6.0;  ///< with tf: the sensor's turn over the whole scan [deg]
   std::array<double, 3> tf_axis{ { 0.5, 0.5, 0.7 } };  ///< with tf: about which, scan frame
-  double pose_rate = 250.0;       ///< with tf: poses a second [1/s]
+  double pose_rate = 250.0;                            ///< with tf: poses a second [1/s]
 
   // encoder
   double encoder_rate = 500.0;      ///< [1/s]
@@ -201,7 +201,8 @@ struct SceneParams
   SceneSpeckle speckle;
   SceneSensor sensor;
   SceneLight light;
-  Calibration calibration;  ///< YAML: `camera`, `laser_plane`, `stage`, as in a calibration file; before roll and part_moves
+  Calibration
+      calibration;  ///< YAML: `camera`, `laser_plane`, `stage`, as in a calibration file; before roll and part_moves
 
   template <class V>
   void visit(V&& v)

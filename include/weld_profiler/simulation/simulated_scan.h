@@ -10,6 +10,7 @@
 #include "weld_profiler/core/stripe.h"
 #include "weld_profiler/geometry/calibration.h"
 #include "weld_profiler/simulation/scene_params.h"
+#include "weld_profiler/simulation/weld_truth.h"
 
 namespace weld_profiler
 {
@@ -17,17 +18,17 @@ namespace weld_profiler
 struct TruthCentre
 {
   std::uint16_t cell = 0;
-  double u = 0.0, v = 0.0;      ///< true centre of the stripe in this column (row) [px], raw
-  double normal_angle = 0.0;    ///< as StripePoint::normal_angle [rad]
+  double u = 0.0, v = 0.0;           ///< true centre of the stripe in this column (row) [px], raw
+  double normal_angle = 0.0;         ///< as StripePoint::normal_angle [rad]
   double x = 0.0, y = 0.0, z = 0.0;  ///< the surface point, in the cloud's frame [m]
-  bool visible = true;          ///< lit by the laser and seen by the camera, inside the image, no second sheet in front
+  bool visible = true;  ///< lit by the laser and seen by the camera, inside the image, no second sheet in front
 };
 
 /// One encoder sample: what a JointState would say.
 struct SimulatedEncoderSample
 {
   Stamp stamp = 0;
-  double position = 0.0;        ///< joint position, in the joint's units
+  double position = 0.0;  ///< joint position, in the joint's units
 };
 
 /// Camera pose in the fixed frame, for motion through tf: p_fixed = rotation * p_camera + translation.
@@ -35,11 +36,12 @@ struct SimulatedPose
 {
   Stamp stamp = 0;
   std::array<double, 9> rotation{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } };  ///< row major
-  std::array<double, 3> translation{};                               ///< [m]
+  std::array<double, 3> translation{};                              ///< [m]
 };
 
-/// One scan of one scene, as a digital twin of the rig: images, encoder, truth. Deterministic for a scene (seed included).
-/// Shares no code with stripe and geometry: it projects and distorts with its own. Const methods are thread safe.
+/// One scan of one scene, as a digital twin of the rig: images, encoder, truth. Deterministic for a scene (seed
+/// included). Shares no code with stripe and geometry: it projects and distorts with its own. Const methods are thread
+/// safe.
 class SimulatedScan
 {
 public:
@@ -48,12 +50,12 @@ public:
   ~SimulatedScan();
 
   int frameCount() const;
-  Stamp stamp(int frame) const;              ///< middle of the exposure; the scan's first frame is at scene.start_time
-  double stagePosition(Stamp stamp) const;   ///< true position [m]
+  Stamp stamp(int frame) const;             ///< middle of the exposure; the scan's first frame is at scene.start_time
+  double stagePosition(Stamp stamp) const;  ///< true position [m]
 
-  int width() const;                         ///< of the image [px]
+  int width() const;  ///< of the image [px]
   int height() const;
-  std::string encoding() const;              ///< mono8, mono16, bayer_rggb8 or bgr8
+  std::string encoding() const;  ///< mono8, mono16, bayer_rggb8 or bgr8
   std::size_t step() const;
 
   /// Renders a frame. @param pixels resized to step() * height().
@@ -67,6 +69,13 @@ public:
   const Calibration& calibration() const;               ///< the true one
   Direction direction() const;                          ///< along which the stripe runs
   const SceneParams& scene() const;
+
+  /// True surface as a height over the cloud's x and y [m].
+  double surfaceHeight(double x, double y) const;
+  /// What the scan passes over, in the cloud's frame: x from, x to, y from, y to [m].
+  std::array<double, 4> extent() const;
+  /// True dimensions of the bead, one section for each frame whose sheet crosses the weld, rising frames.
+  std::vector<WeldTruth> weldSections() const;
 
 private:
   struct Impl;

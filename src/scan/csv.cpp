@@ -1,17 +1,15 @@
-#include "weld_profiler/scan/csv_text.h"
+#include "weld_profiler/scan/csv.h"
 
 #include <limits>
 #include <locale>
-#include <sstream>
 
 #include "weld_profiler/scan/cloud_record.h"
 
 namespace weld_profiler
 {
-std::string csvText(const Scan& scan)
+void writeCsv(const Scan& scan, std::ostream& out)
 {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());  // a decimal point whatever the user's locale
+  out.imbue(std::locale::classic());
   out.precision(std::numeric_limits<float>::max_digits10);
   out << "row,cell,x_m,y_m,z_m,intensity,sigma_m,stage_m,time_s,flags\n";
   for (std::size_t row = 0; row < scan.rows.size(); ++row)
@@ -21,6 +19,5 @@ std::string csvText(const Scan& scan)
       out << row << ',' << point.cell << ',' << p.x << ',' << p.y << ',' << p.z << ',' << p.intensity << ',' << p.sigma
           << ',' << p.stage << ',' << p.time << ',' << static_cast<int>(p.flags) << '\n';
     }
-  return out.str();
 }
 }  // namespace weld_profiler

@@ -1,0 +1,32 @@
+#include "kernel_choice.h"
+#include "taylor_step.h"
+#include "template_method.h"
+
+namespace weld_profiler
+{
+namespace
+{
+/// C. Steger, "An unbiased detector of curvilinear structures", IEEE PAMI 20(2), 1998 (the paper's reference [11]):
+/// normal and step from the Hessian of the Gaussian-smoothed image, here at the pixels of the stripe alone; the values
+/// are those of the whole image's convolution. Good for: oblique flanks, brightness that changes along the stripe. Poor
+/// for: corners, which its kernel rounds.
+class Steger : public MethodBase
+{
+public:
+  using MethodBase::MethodBase;
+
+protected:
+  void refine(const ImageView& image, Workspace::Scratch& scratch) const override
+  {
+    chooseKernel(params(), scratch.centres, scratch.widths, scratch.kernel);
+    for (Centre& centre : scratch.centres)
+      stepToCentre(image, scratch.kernel, nullptr, scratch.statistics.noise, centre);
+  }
+};
+}  // namespace
+
+std::unique_ptr<const StripeExtractor> makeSteger(const StripeParams& params)
+{
+  return std::make_unique<Steger>(params);
+}
+}  // namespace weld_profiler
