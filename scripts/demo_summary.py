@@ -43,7 +43,7 @@ def main():
         print("demo_summary: %s" % error, file=sys.stderr)
         return 1
     lines, closes = balance(figures)
-    print("One simulated scan through the nodelets, live, seen by two viewers.\n")
+    print("One simulated scan through the nodelets, live, with rviz looking on.\n")
     print("cloud                %d rows x %d cells\n" % scan.shape)
     print("\n".join(lines))
     print("\nage of the profiles when published, from the middle of the exposure")

@@ -13,11 +13,11 @@ import time
 
 import numpy as np
 import rospy
-from diagnostic_msgs.msg import DiagnosticArray
 from matplotlib.image import imsave
 from sensor_msgs.msg import Image, PointCloud2
-from std_srvs.srv import Trigger
 from weld_profiler.srv import SaveScan
+
+from plain_messages import Trigger, subscribe
 
 
 class WatchError(Exception):
@@ -41,7 +41,7 @@ class Watch:
             rospy.Subscriber("stripe_image", Image, self._on_frame, queue_size=1, buff_size=1 << 24),
             rospy.Subscriber("profile_points", PointCloud2, self._on_profile, queue_size=100, buff_size=1 << 22),
             rospy.Subscriber("scan_points", PointCloud2, self._on_scan, queue_size=1, buff_size=1 << 24),
-            rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_diagnostics, queue_size=100),
+            subscribe("/diagnostics", self._on_diagnostics, queue_size=100),
         ]
 
     def _on_frame(self, message):
@@ -90,6 +90,12 @@ def image_array(message):
     return np.repeat(pixels, 3, axis=2) if channels == 1 else pixels
 
 
+def around_the_stripe(picture, margin=120):
+    """The rows that something was drawn on, and some more: the rest of the frame is dark. The whole if nothing was."""
+    drawn = np.flatnonzero((np.ptp(picture.astype(int), axis=2) > 60).any(axis=1))
+    return picture[max(drawn[0] - margin, 0):drawn[-1] + margin] if drawn.size else picture
+
+
 def call(name, service, *arguments):
     try:
         answer = rospy.ServiceProxy(name, service)(*arguments)
@@ -112,7 +118,8 @@ def run(output, quiet_seconds, frame_shown):
     wait_for("diagnostics of triangulation", lambda: watch.diagnosed > stopped + 2.0, 30)
     if watch.frame is None:
         raise WatchError("no message on %s" % rospy.resolve_name("stripe_image"))
-    imsave(os.path.join(output, "frame.png"), np.ascontiguousarray(image_array(watch.frame)))
+    picture = around_the_stripe(image_array(watch.frame))
+    imsave(os.path.join(output, "frame.png"), np.ascontiguousarray(picture))
     with open(os.path.join(output, "figures.json"), "w") as file:
         json.dump(watch.diagnostics, file, indent=2)
 
