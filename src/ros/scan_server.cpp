@@ -20,7 +20,7 @@ constexpr double kPollPeriod = 2e-3;  // how often tf is asked for what waits [s
 ScanParams forReplay(ScanParams scan, bool lossless)
 {
   if (lossless)
-    scan.max_waiting = 1000000;  // what waits for its bracketing sample is never given up
+    scan.max_waiting = 100000;   // what waits for its bracketing sample is never given up
   return scan;
 }
 }  // namespace
