@@ -10,7 +10,8 @@ constexpr double kWindowSigmas = 3.0;  ///< half a window; beyond, a Gaussian's 
 constexpr double kLeastSigmas = 1.2;   ///< of the stripe that must lie inside the image on either side
 constexpr double kFlankSigmas = 4.0;   ///< where the background begins
 constexpr int kFlankPixels = 6;
-constexpr int kEvenCells = 8;  ///< neighbours either side that width and background are averaged over
+constexpr std::size_t kEvenCells = 8;  ///< neighbours either side that width and background are averaged over
+constexpr double kAstraySigmas = 2.0;  ///< from the seed; a centroid that went farther follows something else
 constexpr int kIterations = 4;
 constexpr double kSettled = 2e-4;  ///< [px]
 const double kSqrtPi = std::sqrt(std::acos(-1.0));
@@ -51,17 +52,23 @@ Sums sumWindow(const ImageView& image, const Centre& centre, double half, bool s
   return sums;
 }
 
-/// Mean of the middle pixels of one flank: a spark or a neighbouring stripe's edge in it does not count.
+/// Mean of one flank without its darkest and its brightest pixel.
 template <class Pixel>
 bool flankLevel(const ImageView& image, int u, int first, double& level)
 {
   if (first < 0 || first + kFlankPixels > image.height)
     return false;
-  double values[kFlankPixels];
+  double sum = 0.0;
+  double least = image.row<Pixel>(first)[u];
+  double most = least;
   for (int i = 0; i < kFlankPixels; ++i)
-    values[i] = image.row<Pixel>(first + i)[u];
-  std::sort(values, values + kFlankPixels);
-  level = 0.5 * (values[kFlankPixels / 2 - 1] + values[kFlankPixels / 2]);
+  {
+    const double value = image.row<Pixel>(first + i)[u];
+    sum += value;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  level = (sum - least - most) / (kFlankPixels - 2);
   return true;
 }
 }  // namespace
@@ -76,6 +83,7 @@ void ColumnCentroid::measure(const ImageView& image, const Levels& levels, const
     centre.cell = seeds[i].u;
     centre.u = seeds[i].u;
     centre.v = seeds[i].v;
+    centre.initial_v = seeds[i].v;
     centre.sigma_column = std::max(0.6, static_cast<double>(seeds[i].sigma));
     centre.starts_piece = seeds[i].starts_piece;
     centre.ambiguous = seeds[i].ambiguous;
@@ -154,6 +162,8 @@ bool ColumnCentroid::measureOne(const ImageView& image, const Levels& levels, do
     if (std::abs(shift) < kSettled)
       break;
   }
+  if (std::abs(centre.v - centre.initial_v) > kAstraySigmas * centre.sigma_column)
+    return false;
   // A squared Gaussian is narrower by sqrt(2).
   const double variance = (squared ? 2.0 : 1.0) * sums.second / sums.weight;
   if (!(variance > 0.0))
@@ -166,24 +176,30 @@ bool ColumnCentroid::measureOne(const ImageView& image, const Levels& levels, do
   return true;
 }
 
-/// Running mean along the stripe, not across a tear.
+/// Running median along the stripe, not across a tear: a spatter beside the stripe spoils width and background of a few
+/// columns and must not spoil those of their neighbours.
 void ColumnCentroid::evenOut(std::vector<Centre>& centres, double Centre::*field)
 {
-  for (std::size_t begin = 0; begin < centres.size();)
+  evened_.resize(centres.size());
+  const auto enter = [&](double value)
+  { window_.insert(std::upper_bound(window_.begin(), window_.end(), value), value); };
+  for (std::size_t begin = 0, end = 0; begin < centres.size(); begin = end)
   {
-    std::size_t end = begin + 1;
-    while (end < centres.size() && !centres[end].starts_piece)
+    for (end = begin + 1; end < centres.size() && !centres[end].starts_piece;)
       ++end;
-    sums_.assign(1, 0.0);
+    window_.clear();
+    for (std::size_t i = begin; i < std::min(end, begin + kEvenCells); ++i)
+      enter(centres[i].*field);
     for (std::size_t i = begin; i < end; ++i)
-      sums_.push_back(sums_.back() + centres[i].*field);
-    const std::size_t count = end - begin;
-    for (std::size_t i = 0; i < count; ++i)
     {
-      const std::size_t reach = std::min<std::size_t>(kEvenCells, std::min(i, count - 1 - i));
-      centres[begin + i].*field = (sums_[i + reach + 1] - sums_[i - reach]) / static_cast<double>(2 * reach + 1);
+      if (i + kEvenCells < end)
+        enter(centres[i + kEvenCells].*field);
+      if (i > begin + kEvenCells)
+        window_.erase(std::lower_bound(window_.begin(), window_.end(), centres[i - kEvenCells - 1].*field));
+      evened_[i] = window_[window_.size() / 2];
     }
-    begin = end;
   }
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    centres[i].*field = evened_[i];
 }
 }  // namespace weld_profiler

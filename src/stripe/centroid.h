@@ -37,6 +37,7 @@ private:
   bool measureOne(const ImageView& image, const Levels& levels, double noise, CentroidWeight weight, Centre& centre);
   void evenOut(std::vector<Centre>& centres, double Centre::*field);
 
-  std::vector<double> sums_;
+  std::vector<double> evened_;
+  std::vector<double> window_;
 };
 }  // namespace weld_profiler

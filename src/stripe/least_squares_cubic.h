@@ -24,9 +24,9 @@ private:
 
   double middle_ = 0.0;
   double scale_ = 1.0;
-  Eigen::Matrix4d normal_;
-  Eigen::Vector4d right_;
-  Eigen::Vector4d coefficients_;
-  Eigen::Matrix4d covariance_;
+  Eigen::Matrix4d normal_ = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d coefficients_ = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d covariance_ = Eigen::Matrix4d::Zero();
 };
 }  // namespace weld_profiler

@@ -103,13 +103,14 @@ cv::Mat drawStripe(const RawImage& image, const Stripe& stripe, const std::vecto
     throw PreconditionError("overlay scale is " + std::to_string(scale) + ", must be in [1, 16]");
   cv::Mat picture = background(image, scale);
   const Enlarged enlarged{ scale };
+  // Concentric where they coincide: block, initial and exact point stay visible together.
   const int radius = scale >= kDetailScale ? std::max(1, scale / 6) : 0;
   drawNormals(picture, stripe, enlarged);
   drawCurve(picture, stripe, enlarged);
   for (const InitialPoint& point : initial)
-    drawDot(picture, enlarged.at(point.block_u, point.block_v), radius, kYellow);
+    drawDot(picture, enlarged.at(point.block_u, point.block_v), radius == 0 ? 0 : radius + 2, kYellow);
   for (const InitialPoint& point : initial)
-    drawDot(picture, enlarged.at(point.u, point.v), radius, kRed);
+    drawDot(picture, enlarged.at(point.u, point.v), radius == 0 ? 0 : radius + 1, kRed);
   for (std::size_t i = 0; i < stripe.size(); ++i)
     drawDot(picture, enlarged.at(stripe.u[i], stripe.v[i]), radius,
             (stripe.flags[i] & stripe_flag::kInterpolated) != 0 ? kGreen : kBlue);

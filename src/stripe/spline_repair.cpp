@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "least_squares_cubic.h"
 #include "natural_spline.h"
+#include "robust_line.h"
 
 namespace weld_profiler
 {
@@ -12,13 +14,15 @@ namespace
 {
 constexpr int kSideCells = 15;  ///< cells either side that hold the curve; also of a coarser grid, or it is too stiff
 constexpr std::size_t kLeastSideCells = 4;
-constexpr double kTear = 3.0;       ///< rows a column from which neighbours are not one line
-constexpr double kRoughest = 0.12;  ///< residual of the fit from which the break is an edge [px]
+constexpr double kTear = 3.0;           ///< rows a column from which neighbours are not one line
+constexpr double kRoughest = 0.12;      ///< residual of the fit from which the break is an edge [px]
+constexpr double kLeastOutlier = 0.05;  ///< residual that is never an outlier [px]
+constexpr double kOutlierSigmas = 3.0;
 constexpr double kRoughestSigmas = 3.0;
-constexpr std::size_t kLineCells = 8;  ///< centres either side that tell where the line was heading
-constexpr double kLeastStep = 1.0;     ///< by which both sides must miss each other in the middle to be a step [px]
-constexpr double kStepPerGap = 0.1;    ///< ... and more for a longer break, in which a smooth line may bend [px / px]
-constexpr double kUnseen = 6.5e-4;     ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
+constexpr std::size_t kEndCells = 3;  ///< centres next to a break that may follow its edge
+constexpr double kLeastStep = 1.0;    ///< by which both sides must miss each other in the middle to be a step [px]
+constexpr double kStepPerGap = 0.1;   ///< ... and more for a longer break, in which a smooth line may bend [px / px]
+constexpr double kUnseen = 6.5e-4;    ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
 static_assert(2 * kSideCells <= NaturalSpline::kMostKnots, "the literal reading passes through all of them");
 
 /// The centres either side of a break, [first, left] and [right, last].
@@ -56,22 +60,16 @@ public:
     if (!sides_.held())
       return false;
     const double middle = 0.5 * (stripe_.cell[sides_.left] + stripe_.cell[sides_.right]);
-    curve_.begin(middle, std::max(middle - stripe_.cell[sides_.first], stripe_.cell[sides_.last] - middle) + 1.0);
-    double sigma = 0.0;
-    sides_.each(
-        [&](std::size_t i)
-        {
-          curve_.add(along_[i], across_[i]);
-          sigma += stripe_.sigma[i] / static_cast<double>(sides_.count());
-        });
-    curve_.solve();
-    double squares = 0.0;
-    sides_.each([&](std::size_t i) { squares += std::pow(curve_.at(along_[i]) - across_[i], 2.0); });
-    const double roughness = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(sides_.count(), 5) - 4));
-    sigma_ = std::max(sigma, roughness);
     const double gap = stripe_.cell[sides_.right] - stripe_.cell[sides_.left];
-    if (missInTheMiddle(middle) > std::max(kLeastStep, kStepPerGap * gap))
+    const double miss = std::min(missInTheMiddle(middle, 0), missInTheMiddle(middle, kEndCells));
+    if (miss > std::max(kLeastStep, kStepPerGap * gap))
       return false;
+    fitCurve(middle, std::numeric_limits<double>::infinity());
+    // The last centres before a break often follow its edge: once more without what stands out.
+    const double roughness = fitCurve(middle, std::max(kLeastOutlier, kOutlierSigmas * typicalResidual()));
+    double sigma = 0.0;
+    sides_.each([&](std::size_t i) { sigma += stripe_.sigma[i] / static_cast<double>(sides_.count()); });
+    sigma_ = std::max(sigma, roughness);
     interpolating_ = settings.interpolating && fitInterpolation();
     return roughness <= std::max(kRoughest, kRoughestSigmas * sigma);
   }
@@ -98,6 +96,43 @@ public:
   }
 
 private:
+  double residual(std::size_t i) const { return std::abs(curve_.at(along_[i]) - across_[i]); }
+
+  /// 1-sigma of the residuals by their median.
+  double typicalResidual() const
+  {
+    std::array<double, NaturalSpline::kMostKnots> residuals{};
+    std::size_t count = 0;
+    sides_.each([&](std::size_t i) { residuals[count++] = residual(i); });
+    std::nth_element(residuals.begin(), residuals.begin() + count / 2, residuals.begin() + count);
+    return 1.4826 * residuals[count / 2];
+  }
+
+  /// Fits the cubic to the centres that lie within `limit` of the one before.
+  /// @return the RMS residual of those.
+  double fitCurve(double middle, double limit)
+  {
+    const LeastSquaresCubic before = curve_;
+    const auto used = [&](std::size_t i) { return !(std::abs(before.at(along_[i]) - across_[i]) > limit); };
+    curve_.begin(middle, std::max(middle - stripe_.cell[sides_.first], stripe_.cell[sides_.last] - middle) + 1.0);
+    sides_.each(
+        [&](std::size_t i)
+        {
+          if (used(i))
+            curve_.add(along_[i], across_[i]);
+        });
+    curve_.solve();
+    double squares = 0.0;
+    double count = 0.0;
+    sides_.each(
+        [&](std::size_t i)
+        {
+          squares += used(i) ? residual(i) * residual(i) : 0.0;
+          count += used(i) ? 1.0 : 0.0;
+        });
+    return std::sqrt(squares / std::max(1.0, count - 4.0));
+  }
+
   bool torn(std::size_t i) const
   {
     const double columns = std::abs(static_cast<double>(along_[i + 1]) - along_[i]);
@@ -118,28 +153,19 @@ private:
   }
 
   /// How far the straight continuations of both sides pass each other. On an arc they meet, across a step they do not.
-  double missInTheMiddle(double middle) const
+  /// @param skipped  centres next to the break that are left out: they often follow its edge.
+  double missInTheMiddle(double middle, std::size_t skipped) const
   {
-    const std::size_t first = std::max(sides_.first, sides_.left + 1 - std::min(sides_.left + 1, kLineCells));
-    const std::size_t last = std::min(sides_.last, sides_.right + kLineCells - 1);
-    return std::abs(extrapolate(first, sides_.left, middle) - extrapolate(sides_.right, last, middle));
-  }
-
-  double extrapolate(std::size_t first, std::size_t last, double where) const
-  {
-    const auto count = static_cast<double>(last - first + 1);
-    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (std::size_t i = first; i <= last; ++i)
-    {
-      x += (along_[i] - where) / count;
-      y += across_[i] / count;
-    }
-    for (std::size_t i = first; i <= last; ++i)
-    {
-      xx += std::pow(along_[i] - where - x, 2.0);
-      xy += (along_[i] - where - x) * (across_[i] - y);
-    }
-    return xx > 0.0 ? y - x * xy / xx : y;
+    if (sides_.left - sides_.first + 1 < skipped + kLeastSideCells ||
+        sides_.last - sides_.right + 1 < skipped + kLeastSideCells)
+      return std::numeric_limits<double>::infinity();
+    RobustLine left;
+    RobustLine right;
+    for (std::size_t i = sides_.left - skipped + 1; i-- > sides_.first;)
+      left.add(along_[i], across_[i]);
+    for (std::size_t i = sides_.right + skipped; i <= sides_.last; ++i)
+      right.add(along_[i], across_[i]);
+    return std::abs(left.at(middle) - right.at(middle));
   }
 
   bool fitInterpolation()

@@ -6,7 +6,9 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr int kMoves = 2;  ///< pixels that an initial point may be off
+constexpr int kMoves = 2;                ///< pixels that an initial point may be off
+constexpr double kBetweenPixels = 0.55;  ///< accepted where the step swings between two pixels: a second-order step to
+                                         ///< a centre half-way between them is a little longer than 1/2 from either
 constexpr double kFarthest =
     1.0;  ///< rows that the step may take the line off its initial point; beyond, the normal is wrong
 }  // namespace
@@ -50,7 +52,9 @@ bool stepToCentre(const ImageView& image, const DerivativeKernel& kernel, const 
     const TaylorStep step = across.defined ? taylorStep(derivatives, across) : TaylorStep{};
     if (!step.maximum)
       return false;
-    if (std::abs(step.t) <= kHalfPixel)
+    const int next = block + (step.t * across.v > 0.0 ? 1 : -1);
+    const bool swings = move > 0 && next == before;
+    if (std::abs(step.t) <= (swings ? kBetweenPixels : kHalfPixel))
     {
       const double row = block + step.t * across.v - centre.slope * step.t * across.u;
       if (std::abs(row - centre.v) > kFarthest)
@@ -63,9 +67,8 @@ bool stepToCentre(const ImageView& image, const DerivativeKernel& kernel, const 
       centre.read_sigma = sigma * std::sqrt(1.0 + centre.slope * centre.slope);
       return true;
     }
-    const int next = block + (step.t * across.v > 0.0 ? 1 : -1);
-    if (next == before && move > 0)
-      return false;  // the normal is so far off that the step swings between two pixels
+    if (swings)
+      return false;  // the normal is far off
     before = block;
     block = next;
   }

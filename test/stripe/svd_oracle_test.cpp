@@ -77,16 +77,18 @@ OracleCentre oracle(const Picture& picture, const InitialPoint& initial, double 
     if (bend >= 0.0)
       return result;
     const double t = -(n.x() * d[0] + n.y() * d[1]) / bend;
-    result.at_limit = result.at_limit || std::abs(std::abs(t) - 0.5) <= 1e-3;
-    if (std::abs(t) <= 0.5)
+    const int direction = t * n.y() > 0.0 ? 1 : -1;
+    const bool swings = moved == -direction;
+    const double limit = swings ? 0.55 : 0.5;  // half-way between two pixels the step is a little longer from either
+    result.at_limit = result.at_limit || std::abs(std::abs(t) - limit) <= 1e-3;
+    if (std::abs(t) <= limit)
     {
       result.u = u + t * n.x();
       result.v = v + t * n.y();
       result.settled = std::abs(result.v - line_slope * (result.u - u) - initial.v) <= 1.0;
       return result;
     }
-    const int direction = t * n.y() > 0.0 ? 1 : -1;
-    if (moved == -direction)
+    if (swings)
       return result;
     moved = direction;
     v += direction;
