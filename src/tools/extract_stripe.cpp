@@ -34,7 +34,7 @@ std::string methodList()
 {
   std::string list;
   for (const std::string& name : stripeMethods())
-    list += (list.empty() ? "" : ", ") + name;
+    list.append(list.empty() ? "" : ", ").append(name);
   return list;
 }
 
@@ -71,6 +71,12 @@ StripeParams stripeParams(const Options& options)
   return params;
 }
 
+[[noreturn]] void refuseStem(const std::string& stem, const std::string& image, const std::string& earlier)
+{
+  throw InputError(image + ": its centres would go to " + stem + ".csv as those of " + earlier +
+                   "; give the two in separate runs with another --out");
+}
+
 void refuseEqualStems(const std::vector<std::string>& images)
 {
   std::map<std::string, std::string> seen;
@@ -79,8 +85,7 @@ void refuseEqualStems(const std::vector<std::string>& images)
     const std::string stem = std::filesystem::path(image).stem().string();
     const auto [earlier, added] = seen.emplace(stem, image);
     if (!added)
-      throw InputError(image + ": its centres would go to " + stem + ".csv as those of " + earlier->second +
-                       "; give the two in separate runs with another --out");
+      refuseStem(stem, image, earlier->second);
   }
 }
 

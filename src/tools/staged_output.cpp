@@ -54,7 +54,7 @@ std::string StagedOutput::file(const std::string& target)
   std::error_code error;
   if (fs::is_directory(target, error))
     refuse(target, "it is a directory; name a file");
-  const std::string temporary = stage(target);
+  std::string temporary = stage(target);
   errno = 0;
   if (!std::ofstream(temporary))
     refuse(target, std::strerror(errno != 0 ? errno : EIO));
