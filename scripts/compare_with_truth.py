@@ -28,7 +28,7 @@ class Truth:
             raise ScanFileError("%s: cannot be read: %s" % (path, error.strerror))
         except ValueError as error:
             raise ScanFileError("%s: is no truth: %s" % (path, error))
-        for name in ("frame", "stamp", "stage_m", "cell", "y_m", "z_m", "visible"):
+        for name in ("frame", "stamp", "stage_m", "cell", "x_m", "y_m", "z_m", "visible"):
             if name not in names:
                 raise ScanFileError("%s: has no column %s" % (path, name))
         if table.shape[0] == 0:
@@ -41,7 +41,9 @@ class Truth:
         self.cells = int(column["cell"].max()) + 1
         shape = (frames.size, self.cells)
         cell = column["cell"].astype(int)
-        self.y, self.z, self.visible = np.full(shape, np.nan), np.full(shape, np.nan), np.zeros(shape, bool)
+        self.x, self.y, self.z = (np.full(shape, np.nan) for _ in range(3))
+        self.visible = np.zeros(shape, bool)
+        self.x[line, cell] = column["x_m"]
         self.y[line, cell] = column["y_m"]
         self.z[line, cell] = column["z_m"]
         self.visible[line, cell] = column["visible"] > 0.5
@@ -98,6 +100,7 @@ def compare(scan, truth, px_equivalent):
     if not judged.any():
         raise ScanFileError("no measured point lies in a visible cell: are scan and truth of one run?")
     dz = part["z"].astype(float)[judged] - truth.z[line, :cells][judged]
+    dx = part["x"].astype(float)[judged] - truth.x[line, :cells][judged]
     dy = part["y"].astype(float)[judged] - truth.y[line, :cells][judged]
     return {
         "frames_of_truth": int(truth.frame.size),
@@ -108,6 +111,7 @@ def compare(scan, truth, px_equivalent):
         "mean_z": float(dz.mean()),
         "share_beyond": float(np.mean(np.abs(dz) > px_equivalent)),
         "share_missing": float(1.0 - judged.sum() / max(visible.sum(), 1)),
+        "rms_x": float(np.sqrt(np.mean(dx ** 2))),
         "rms_y": float(np.sqrt(np.mean(dy ** 2))),
     }
 
@@ -123,6 +127,7 @@ def report(figures, px_equivalent):
     yield "mean z               %+.2f um = %+.3f px-eq" % (um * figures["mean_z"], px * figures["mean_z"])
     yield "beyond 1 px-eq       %.3f %%" % (100.0 * figures["share_beyond"])
     yield "visible cells missing %.3f %%" % (100.0 * figures["share_missing"])
+    yield "RMS x                %.2f um" % (um * figures["rms_x"])
     yield "RMS y                %.2f um" % (um * figures["rms_y"])
 
 
@@ -133,6 +138,7 @@ def within_limits(figures, px_equivalent):
         ("|mean z|", abs(figures["mean_z"]) / px_equivalent, 0.1, "px-eq"),
         ("share beyond 1 px-eq", figures["share_beyond"], 0.01, ""),
         ("share of visible cells missing", figures["share_missing"], 0.02, ""),
+        ("RMS x", 1e6 * figures["rms_x"], 5.0, "um"),
         ("RMS y", 1e6 * figures["rms_y"], 5.0, "um"),
         ("share of rows without a frame", 1.0 - figures["rows_compared"] / figures["rows"], 0.02, ""),
     )

@@ -1,6 +1,7 @@
 #include "rig_player.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <sensor_msgs/JointState.h>
 
@@ -22,6 +23,8 @@ SceneParams sceneOf(const std::string& name)
   const auto& presets = presetNames();
   if (std::find(presets.begin(), presets.end(), name) != presets.end())
     return scenePreset(name);
+  if (!std::filesystem::exists(name))
+    requireOneOf("simulated_rig/scene is no file, so it", name, presets);
   return loadScene(name);
 }
 }  // namespace

@@ -10,6 +10,7 @@
 #include "tools/staged_output.h"
 #include "tools/stripe_csv.h"
 #include "weld_profiler/camera/folder_source.h"
+#include "weld_profiler/ros/stripe_worker.h"
 #include "weld_profiler/stripe/overlay.h"
 #include "weld_profiler/stripe/stripe_methods.h"
 #include "weld_profiler/stripe/stripe_stage.h"
@@ -61,7 +62,8 @@ StripeParams stripeParams(const Options& options)
 {
   StripeParams params;
   ParamsFile file(options.params);
-  file.load("stripe_centre", params);
+  StripeWorkerParams live;  // what only the nodelet uses is known here too, so that one file serves both
+  file.load("stripe_centre", params, live);
   file.refuseUnknown();
   for (const auto& [chosen, field] :
        { std::make_pair(&options.method, &params.method), std::make_pair(&options.direction, &params.direction),

@@ -6,6 +6,8 @@
 #include "tools/run_command.h"
 #include "tools/staged_output.h"
 #include "weld_profiler/ros/calibration_url.h"
+#include "weld_profiler/ros/scan_server.h"
+#include "weld_profiler/ros/stripe_worker.h"
 #include "weld_profiler/scan/export.h"
 #include "weld_profiler/scan/summary.h"
 
@@ -52,9 +54,12 @@ BagScanParams bagScanParams(const Options& options)
   params.name_space = options.name_space;
   params.calibration = loadCalibrationFrom(options.calibration);
   ParamsFile file(options.params);
-  file.load("stripe_centre", params.stripe);
-  file.load("triangulation", params.chain);
+  StripeWorkerParams live;  // what only the nodelets use is known here too, so that one file serves both
+  ScanServerParams server;
+  file.load("stripe_centre", params.stripe, live);
+  file.load("triangulation", server);
   file.refuseUnknown();
+  params.chain = server.chain;
   if (!options.motion.empty())
     params.chain.motion = options.motion;
   if (!options.fixed_frame.empty())

@@ -92,7 +92,12 @@ TEST(Nodelets, RefuseToLoadWithABadConfigurationAndTheManagerLivesOn)
 
   manager.set("triangulation", "calibration", chain.folder.file("nowhere.yaml"));
   EXPECT_FALSE(manager.load("triangulation")) << "missing file";
-  std::ofstream(chain.folder.file("broken.yaml")) << "version: 1\nlaser_plane: {normal: [0, 0, 0], distance: 0.1}\n";
+  std::ofstream(chain.folder.file("broken.yaml"))
+      << "version: 1\n"
+         "camera: {image_width: 1440, image_height: 1080, camera_matrix: [6000, 0, 719.5, 0, 6000, 539.5, 0, 0, 1], "
+         "distortion_model: plumb_bob, distortion_coefficients: [0, 0, 0, 0, 0]}\n"
+         "laser_plane: {normal: [0, 0, 0], distance: 0.125}\n"
+         "stage: {type: linear, joint: stage_joint, axis: [0, -0.8660254, -0.5], metres_per_unit: 1}\n";
   manager.set("triangulation", "calibration", chain.folder.file("broken.yaml"));
   EXPECT_FALSE(manager.load("triangulation")) << "normal of length zero";
   manager.set("triangulation", "calibration", chain.folder.file("calibration.yaml"));
