@@ -7,11 +7,9 @@ namespace weld_profiler
 namespace
 {
 constexpr int kRows = TiledMedian::kTileRows;
-constexpr int kChunk = 32;               ///< columns looked at together when skipping the dark ones
-constexpr double kFloorSigmas = 3.5;     ///< of raw noise: one dark pixel in 4000 is looked at in vain
-constexpr double kContrastSigmas = 5.0;  ///< of filtered noise
-constexpr float kDrop = 0.5F;            ///< share of its height by which a top must be left before it counts as one
-constexpr float kTorn = 0.35F;           ///< a dip that stays above this share is speckle inside one stripe
+constexpr int kChunk = 32;                     ///< columns looked at together when skipping the dark ones
+constexpr double kFloorSigmas = 3.5;           ///< of raw noise: one dark pixel in 4000 is looked at in vain
+constexpr double kContrastSigmas = 5.0;        ///< of filtered noise
 constexpr double kFullWidthPerSigma = 2.3548;  ///< of a Gaussian at half height
 constexpr double kSteepest = 2.5;              ///< widening down the column of a stripe at 66 deg
 
@@ -79,9 +77,8 @@ void CandidateFinder::find(const ImageView& image, const StripeParams& params, c
       const int first_row = std::max(0, (zone.first_block - 1) * kRows);
       const int last_row = std::min(image.height - 1, (zone.last_block + 2) * kRows - 1);
       withPixel(image, [&](auto pixel) { readProfile<decltype(pixel)>(u, first_row, last_row); });
-      findPeaks();
-      mergeTornPeaks();
-      for (const Peak& peak : peaks_)
+      peaks_.find(profile_, least_contrast_);
+      for (const ColumnPeak& peak : peaks_.found())
         addCandidate(peak, first_row, kSteepest * params.max_stripe_width_px + 1.0);
     }
     keepBrightest(candidates);
@@ -154,62 +151,7 @@ void CandidateFinder::readProfile(int u, int first_row, int last_row)
   }
 }
 
-void CandidateFinder::findPeaks()
-{
-  peaks_.clear();
-  const float* p = profile_.data();
-  const int count = static_cast<int>(profile_.size());
-  Peak peak{ 0, 0, 0 };
-  bool rising = true;
-  for (int i = 1; i < count; ++i)
-  {
-    if (rising)
-    {
-      const float height = p[peak.top] - p[peak.left_foot];
-      if (p[i] > p[peak.top])
-        peak.top = i;
-      else if (p[i] < p[peak.left_foot] && height < least_contrast_)
-        peak.left_foot = peak.top = i;
-      else if (height >= least_contrast_ && p[peak.top] - p[i] >= std::max(least_contrast_, kDrop * height))
-      {
-        peak.right_foot = i;
-        rising = false;
-      }
-    }
-    else if (p[i] < p[peak.right_foot])
-      peak.right_foot = i;
-    else if (p[i] - p[peak.right_foot] >= least_contrast_)
-    {
-      peaks_.push_back(peak);
-      peak = Peak{ peak.right_foot, i, i };
-      rising = true;
-    }
-  }
-  if (!rising)
-    peaks_.push_back(peak);
-}
-
-/// Speckle tears the top of a wide stripe: neighbours that share a high dip are one.
-void CandidateFinder::mergeTornPeaks()
-{
-  const float* p = profile_.data();
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < peaks_.size(); ++i)
-  {
-    Peak& before = peaks_[kept];
-    const Peak& next = peaks_[i];
-    const float base = std::max(p[before.left_foot], p[next.right_foot]);
-    const float lower_top = std::min(p[before.top], p[next.top]);
-    if (p[before.right_foot] - base > kTorn * (lower_top - base))
-      before = Peak{ before.left_foot, p[before.top] >= p[next.top] ? before.top : next.top, next.right_foot };
-    else
-      peaks_[++kept] = next;
-  }
-  if (!peaks_.empty())
-    peaks_.resize(kept + 1);
-}
-
-void CandidateFinder::addCandidate(const Peak& peak, int first_row, double widest)
+void CandidateFinder::addCandidate(const ColumnPeak& peak, int first_row, double widest)
 {
   const float* p = profile_.data();
   const float base = std::max(p[peak.left_foot], p[peak.right_foot]);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "column_peaks.h"
 #include "frame_statistics.h"
 #include "median_filter.h"
 #include "seed.h"
@@ -26,11 +27,6 @@ private:
   {
     std::int16_t first_block, last_block;
   };
-  /// A top between its two feet; indices into profile_.
-  struct Peak
-  {
-    int left_foot, top, right_foot;
-  };
   static constexpr int kZones = 12;  ///< in a column; a frame with more shows no stripe
 
   template <class Pixel>
@@ -41,9 +37,7 @@ private:
   void requestTiles(int width, int blocks);
   template <class Pixel>
   void readProfile(int u, int first_row, int last_row);
-  void findPeaks();
-  void mergeTornPeaks();
-  void addCandidate(const Peak& peak, int first_row, double widest);
+  void addCandidate(const ColumnPeak& peak, int first_row, double widest);
   void keepBrightest(CandidateList& candidates);
 
   TiledMedian median_;
@@ -53,7 +47,7 @@ private:
   std::vector<std::uint8_t> maxima8_;
   std::vector<std::uint16_t> maxima16_;
   std::vector<float> profile_;
-  std::vector<Peak> peaks_;
+  ColumnPeaks peaks_;
   std::vector<Candidate> found_;
 };
 }  // namespace weld_profiler

@@ -1,0 +1,320 @@
+// Accuracy and time of every stripe method on ideal stripes, as tables for docs/paper.md. Prints to standard output.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "support/render_stripe.h"
+#include "weld_profiler/stripe/stripe_methods.h"
+#include "weld_profiler/stripe/stripe_stage.h"
+
+namespace
+{
+using weld_profiler::Stripe;
+using weld_profiler::StripeParams;
+using weld_profiler::StripeStage;
+using weld_profiler::Workspace;
+using weld_profiler::test_support::Picture;
+using weld_profiler::test_support::render;
+using weld_profiler::test_support::straight;
+using weld_profiler::test_support::StripePicture;
+
+const double kDegree = std::acos(-1.0) / 180.0;
+const double kSlopes[] = { 0.0, 15.0, 30.0, 45.0, 60.0 };
+constexpr int kRuns = 8;
+
+struct Score
+{
+  double squares = 0.0, normals = 0.0, in_sigmas = 0.0;
+  std::size_t count = 0, cells = 0;
+
+  void add(const StripePicture& scene, const Stripe& stripe)
+  {
+    cells += static_cast<std::size_t>(scene.width);
+    for (std::size_t i = 0; i < stripe.size(); ++i)
+    {
+      if ((stripe.flags[i] & weld_profiler::stripe_flag::kInterpolated) != 0)
+        continue;
+      const double error = distanceAcross(scene, stripe.u[i], stripe.v[i]);
+      const double slope = (scene.row(stripe.u[i] + 0.01) - scene.row(stripe.u[i] - 0.01)) / 0.02;
+      const double normal = std::remainder(stripe.normal_angle[i] - std::atan2(1.0, -slope), 180.0 * kDegree) / kDegree;
+      squares += error * error;
+      normals += normal * normal;
+      in_sigmas += error * error / (stripe.sigma[i] * stripe.sigma[i]);
+      ++count;
+    }
+  }
+  double rmseMpx() const { return 1000.0 * std::sqrt(squares / static_cast<double>(count)); }
+  double normalDegrees() const { return std::sqrt(normals / static_cast<double>(count)); }
+  double sigmas() const { return std::sqrt(in_sigmas / static_cast<double>(count)); }
+  double kept() const { return 100.0 * static_cast<double>(count) / static_cast<double>(cells); }
+};
+
+StripeParams paramsOf(const std::string& method)
+{
+  StripeParams params;
+  params.method = method;
+  params.direction = "u";
+  return params;
+}
+
+StripePicture slopedScene(double degrees, int run)
+{
+  // Off the whole degrees, so that every sub-pixel offset occurs.
+  StripePicture scene = straight(degrees + 0.17, 20.0 + 0.1237 * (run + 0.5));
+  scene.width = 300;
+  scene.height = static_cast<int>(42.0 + 300.0 * std::tan((degrees + 0.17) * kDegree));
+  scene.snr = 50.0;
+  scene.seed = 100U + static_cast<unsigned>(run);
+  return scene;
+}
+
+template <class Change>
+Score measure(const StripeParams& params, double degrees, Change&& change)
+{
+  Score score;
+  const StripeStage stage(params);
+  Workspace workspace;
+  Stripe stripe;
+  for (int run = 0; run < kRuns; ++run)
+  {
+    StripePicture scene = slopedScene(degrees, run);
+    change(scene);
+    stage.process(render(scene).raw(), workspace, stripe);
+    score.add(scene, stripe);
+  }
+  return score;
+}
+
+Score measure(const StripeParams& params, double degrees)
+{
+  return measure(params, degrees, [](StripePicture&) {});
+}
+
+/// Cramer-Rao bound of one column, across the stripe, for the renderer's noise (half read, half shot, and rounding).
+double boundMpx(double degrees)
+{
+  const StripePicture scene = slopedScene(degrees, 0);
+  const double cosine = std::cos((degrees + 0.17) * kDegree);
+  const double variance = std::pow(scene.peak / scene.snr, 2.0);
+  double information = 0.0;
+  for (int v = -40; v <= 40; ++v)
+  {
+    const double d = v * cosine;
+    const double light = std::exp(-0.5 * d * d / (scene.sigma * scene.sigma));
+    const double change = scene.peak * light * d * cosine / (scene.sigma * scene.sigma);
+    information += change * change / (0.5 * variance * (1.0 + light) + 1.0 / 12.0);
+  }
+  return 1000.0 * cosine / std::sqrt(information);
+}
+
+/// 45 deg flanks, curvature up to 0.03 / px.
+StripePicture beadScene(double snr)
+{
+  StripePicture scene;
+  scene.width = 400;
+  scene.height = 160;
+  scene.snr = snr;
+  constexpr double kPeriod = 210.0;  // of a sine with slope 1 and curvature 2 pi / 210 = 0.03 / px
+  constexpr double kPi = 3.14159265358979;
+  scene.row = [](double u) { return 80.3 + kPeriod / (2.0 * kPi) * std::sin(2.0 * kPi * u / kPeriod); };
+  return scene;
+}
+
+Score measureBead(const StripeParams& params, double snr)
+{
+  Score score;
+  const StripePicture scene = beadScene(snr);
+  Workspace workspace;
+  Stripe stripe;
+  StripeStage(params).process(render(scene).raw(), workspace, stripe);
+  score.add(scene, stripe);
+  return score;
+}
+
+void printAccuracy()
+{
+  std::printf("sigma 2 px, SNR 50: RMSE across the stripe [mpx] / normal [deg], slopes 0 15 30 45 60 deg\n");
+  std::printf("%-34s", "bound of one column");
+  for (const double degrees : kSlopes)
+    std::printf("  %5.1f       ", boundMpx(degrees));
+  std::printf("\n");
+  for (const std::string& method : weld_profiler::stripeMethods())
+  {
+    std::printf("%-34s", method.c_str());
+    double sigmas = 0.0;
+    for (const double degrees : kSlopes)
+    {
+      const Score score = measure(paramsOf(method), degrees);
+      std::printf("  %5.1f / %5.2f", score.rmseMpx(), score.normalDegrees());
+      sigmas += score.sigmas() / 5.0;
+    }
+    std::printf("   error / told sigma %.2f\n", sigmas);
+  }
+  struct Reading
+  {
+    const char* name;
+    const char* method;
+    const char* taylor;
+    const char* derivatives;
+    int median;
+  };
+  for (const Reading& reading : { Reading{ "svd literal, sobel, median 3", "svd", "literal", "sobel", 3 },
+                                  Reading{ "svd literal, sobel, no median", "svd", "literal", "sobel", 0 },
+                                  Reading{ "svd literal, gaussian, median 3", "svd", "literal", "gaussian", 3 },
+                                  Reading{ "svd sound, sobel", "svd", "sound", "sobel", 3 },
+                                  Reading{ "pca literal, sobel, median 3", "pca", "literal", "sobel", 3 } })
+  {
+    StripeParams params = paramsOf(reading.method);
+    params.taylor = reading.taylor;
+    params.derivatives = reading.derivatives;
+    params.median_size_px = reading.median;
+    params.max_gap_px = 0;
+    std::printf("%-34s", reading.name);
+    for (const double degrees : kSlopes)
+    {
+      const Score score = measure(params, degrees);
+      std::printf("  %5.1f / %5.2f", score.rmseMpx(), score.normalDegrees());
+    }
+    std::printf("   kept at 0 deg %.0f %%, at 45 deg %.0f %%\n", measure(params, 0.0).kept(),
+                measure(params, 45.0).kept());
+  }
+}
+
+void printHardScenes()
+{
+  std::printf("\nRMSE across the stripe [mpx]\n%-20s %9s %9s %9s %9s %9s %9s %9s\n", "", "bead", "bead", "speckle",
+              "speckle", "gain", "clipped", "clipped");
+  std::printf("%-20s %9s %9s %9s %9s %9s %9s %9s\n", "", "no noise", "SNR 50", "0.1, 15deg", "0.2, 15deg", "40%,45deg",
+              "peak 300", "peak 1000");
+  for (const std::string& method : weld_profiler::stripeMethods())
+  {
+    const StripeParams params = paramsOf(method);
+    const auto speckle = [&](double contrast)
+    { return measure(params, 15.0, [=](StripePicture& scene) { scene.speckle = contrast; }).rmseMpx(); };
+    const auto clipped = [&](double peak)
+    { return measure(params, 15.0, [=](StripePicture& scene) { scene.peak = peak; }).rmseMpx(); };
+    const double gain =
+        measure(params, 45.0,
+                [](StripePicture& scene)
+                {
+                  scene.peak = 150.0;
+                  scene.gain = [](double u) { return 1.0 + 0.4 * std::sin(2.0 * 3.14159265 * u / 20.0); };
+                })
+            .rmseMpx();
+    std::printf("%-20s %9.1f %9.1f %9.1f %9.1f %9.1f %9.1f %9.1f\n", method.c_str(), measureBead(params, 0.0).rmseMpx(),
+                measureBead(params, 50.0).rmseMpx(), speckle(0.1), speckle(0.2), gain, clipped(300.0), clipped(1000.0));
+  }
+}
+
+/// Centres of the bead lost in breaks of a given length, every 50 columns.
+void printRepair()
+{
+  std::printf(
+      "\nrepair of breaks on the bead, squared_centroid: RMSE [mpx] / filled of lost [%%] / error over told sigma\n");
+  for (const char* reading : { "sound", "literal" })
+  {
+    std::printf("%-20s", reading[0] == 's' ? "least squares" : "interpolating");
+    for (const int gap : { 2, 5, 10, 20 })
+    {
+      StripeParams params = paramsOf("squared_centroid");
+      params.taylor = reading;
+      double squares = 0.0, in_sigmas = 0.0;
+      int filled = 0, lost = 0;
+      for (unsigned run = 0; run < 6; ++run)
+      {
+        StripePicture scene = beadScene(50.0);
+        scene.seed = run + 1;
+        Picture picture = render(scene);
+        for (int u = 40; u + gap < scene.width - 20; u += 50, lost += gap)
+          for (int i = u; i < u + gap; ++i)
+            for (int v = 0; v < scene.height; ++v)
+              picture.set(i, v, scene.background);
+        Workspace workspace;
+        Stripe stripe;
+        StripeStage(params).process(picture.raw(), workspace, stripe);
+        for (std::size_t i = 0; i < stripe.size(); ++i)
+        {
+          if ((stripe.flags[i] & weld_profiler::stripe_flag::kInterpolated) == 0)
+            continue;
+          const double error = distanceAcross(scene, stripe.u[i], stripe.v[i]);
+          squares += error * error;
+          in_sigmas += std::pow(error / stripe.sigma[i], 2.0);
+          ++filled;
+        }
+      }
+      std::printf("  gap %2d: %5.1f / %3.0f / %.2f", gap, 1000.0 * std::sqrt(squares / filled), 100.0 * filled / lost,
+                  std::sqrt(in_sigmas / filled));
+    }
+    std::printf("\n");
+  }
+}
+
+template <class Work>
+double medianSeconds(Work&& work)
+{
+  std::vector<double> seconds;
+  for (int i = 0; i < 61; ++i)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    work(i);
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+void printTimes()
+{
+  // A few frames in turn, so that no frame lies in the cache from the round before.
+  std::vector<Picture> frames;
+  for (unsigned i = 0; i < 6; ++i)
+  {
+    StripePicture scene;
+    scene.width = 1440;
+    scene.height = 1080;
+    scene.snr = 50.0;
+    scene.seed = i + 1;
+    scene.row = [i](double u)
+    { return 540.0 + 3.0 * i + 60.0 * std::exp(-std::pow((u - 720.0) / 120.0, 2.0)) + 0.05 * u; };
+    frames.push_back(render(scene));
+  }
+  unsigned long sum = 0;
+  const double read = medianSeconds(
+      [&](int i)
+      {
+        const Picture& frame = frames[static_cast<std::size_t>(i) % frames.size()];
+        sum += std::accumulate(frame.bytes.begin(), frame.bytes.end(), 0U);
+      });
+  std::printf("\none frame of 1440x1080, mono8, one thread: median time, ratio to one read of it (%.3f ms, sum %lu)\n",
+              1e3 * read, sum);
+  const auto time = [&](const char* name, const StripeParams& params)
+  {
+    const StripeStage stage(params);
+    Workspace workspace;
+    Stripe stripe;
+    const double seconds = medianSeconds(
+        [&](int i) { stage.process(frames[static_cast<std::size_t>(i) % frames.size()].raw(), workspace, stripe); });
+    std::printf("%-34s %7.2f ms %7.1f\n", name, 1e3 * seconds, seconds / read);
+  };
+  for (const std::string& method : weld_profiler::stripeMethods())
+    time(method.c_str(), paramsOf(method));
+  StripeParams literal = paramsOf("svd");
+  literal.taylor = "literal";
+  literal.derivatives = "sobel";
+  time("svd literal, sobel", literal);
+  StripeParams turned = paramsOf("squared_centroid");
+  turned.direction = "v";
+  time("squared_centroid, v, no stripe", turned);
+}
+}  // namespace
+
+int main()
+{
+  printAccuracy();
+  printHardScenes();
+  printRepair();
+  printTimes();
+  return 0;
+}
