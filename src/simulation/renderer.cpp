@@ -102,6 +102,7 @@ std::vector<double> World::moments(int frame) const
   const int count =
       std::min(kMostMoments, std::max(kFewestMoments, static_cast<int>(std::ceil(travel / kTravelPerMoment))));
   std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     result.push_back(middle + scene.exposure * ((i + 0.5) / count - 0.5));
   return result;

@@ -50,15 +50,17 @@ Sensor::Sensor(const SceneParams& scene, int width, int height)
 
 void Sensor::encode(const float* values, std::size_t count, std::uint8_t* to) const
 {
-  if (bytes_ == 1)
-  {
-    for (std::size_t i = 0; i < count; ++i)
-      to[i] = static_cast<std::uint8_t>(std::min(255.0F, std::max(0.0F, values[i])) + 0.5F);
-    return;
-  }
+  const float scale = bytes_ == 1 ? 1.0F : kTo16Bit;
+  const float full = scale * static_cast<float>(kFullScale);
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto value = static_cast<std::uint16_t>(std::min(65535.0F, std::max(0.0F, values[i] * kTo16Bit)) + 0.5F);
+    const float rounded = std::min(full, std::max(0.0F, values[i] * scale)) + 0.5F;  // positive: the cast cuts
+    if (bytes_ == 1)
+    {
+      to[i] = static_cast<std::uint8_t>(rounded);
+      continue;
+    }
+    const auto value = static_cast<std::uint16_t>(rounded);
     std::memcpy(to + 2 * i, &value, 2);
   }
 }

@@ -5,6 +5,7 @@
 #include "simulation/renderer.h"
 #include "simulation/true_sections.h"
 #include "simulation/truth.h"
+#include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
 {
@@ -20,6 +21,12 @@ const SceneParams& checked(const SceneParams& scene)
 {
   scene.validate();
   return scene;
+}
+
+void requireFrame(int frame, int count)
+{
+  if (frame < 0 || frame >= count)
+    throw PreconditionError("frame is " + std::to_string(frame) + ", the scan has 0 to " + std::to_string(count - 1));
 }
 }  // namespace
 
@@ -64,11 +71,13 @@ std::size_t SimulatedScan::step() const
 
 void SimulatedScan::render(int frame, std::vector<std::uint8_t>& pixels) const
 {
+  requireFrame(frame, frameCount());
   simulation::renderFrame(impl_->world, frame, pixels);
 }
 
 std::vector<TruthCentre> SimulatedScan::truth(int frame) const
 {
+  requireFrame(frame, frameCount());
   return simulation::trueCentres(impl_->world, frame);
 }
 

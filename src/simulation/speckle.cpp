@@ -15,21 +15,23 @@ constexpr double kPointsPerGrain = 4.0;
 constexpr double kFwhmPerSigma = 2.3548200450309493;
 
 /// Circular Gaussian blur along one axis.
-std::vector<float> blurred(const std::vector<float>& from, double sigma, int stride_step, int line_step)
+std::vector<float> blurred(const std::vector<float>& from, double sigma, std::size_t point_step, std::size_t line_step)
 {
   const int reach = static_cast<int>(std::ceil(4.0 * sigma));
   std::vector<float> kernel;
   for (int i = -reach; i <= reach; ++i)
     kernel.push_back(static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma))));
+  const float* middle = kernel.data() + reach;
   std::vector<float> to(from.size(), 0.0F);
+  const auto place = [&](int line, int i)
+  { return static_cast<std::size_t>(line) * line_step + static_cast<std::size_t>(i & (kSize - 1)) * point_step; };
   for (int line = 0; line < kSize; ++line)
     for (int i = 0; i < kSize; ++i)
     {
       float sum = 0.0F;
       for (int k = -reach; k <= reach; ++k)
-        sum += kernel[static_cast<std::size_t>(k + reach)] *
-               from[static_cast<std::size_t>(line * line_step + ((i + k) & (kSize - 1)) * stride_step)];
-      to[static_cast<std::size_t>(line * line_step + i * stride_step)] = sum;
+        sum += middle[k] * from[place(line, i + k)];
+      to[place(line, i)] = sum;
     }
   return to;
 }

@@ -114,10 +114,11 @@ void StripeBand::spreadAlong(double sigma)
     std::fill(lens_.begin() + static_cast<std::ptrdiff_t>(index(low_)),
               lens_.begin() + static_cast<std::ptrdiff_t>(index(high_)), 0.0F);
   const int wide = columns_wide_;
+  const float* middle = kernel.data() + reach;
   for (int row = low_; row < high_; ++row)
     for (int k = -reach; k <= reach; ++k)
     {
-      const float weight = kernel[static_cast<std::size_t>(k + reach)] / total;
+      const float weight = middle[k] / total;
       const float* from = sheet_.data() + index(row) + k;
       float* to = lens_.data() + index(row);
       for (int cell = std::max(0, -k); cell < wide - std::max(0, k); ++cell)

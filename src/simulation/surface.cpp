@@ -153,8 +153,8 @@ void Surface::widenCeilings()
       for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y)
         for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x)
         {
-          float& top = ceilings_[static_cast<std::size_t>(row * columns_ + column)];
-          top = std::max(top, own[static_cast<std::size_t>(y * columns_ + x)]);
+          float& top = ceilings_[cellAt(column, row)];
+          top = std::max(top, own[cellAt(x, y)]);
         }
 }
 

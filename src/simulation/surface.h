@@ -52,6 +52,10 @@ private:
   void probe(double x, double part_y);
   void widenCeilings();
   int cellIndex(double x, double part_y) const;
+  std::size_t cellAt(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
 
   Bead bead_;
   double bead_reflectance_;

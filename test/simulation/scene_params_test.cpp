@@ -242,7 +242,8 @@ TEST_F(SceneFile, ComesBackAsItWasSaved)
 
 TEST(SceneFiles, ThatComeWithThePackageLoad)
 {
-  for (const char* name : { "realistic", "harsh", "chiral", "chiral_part_moves", "chiral_tf" })
+  for (const char* name :
+       { "realistic", "harsh", "chiral", "chiral_part_moves", "chiral_tf", "filter_on", "filter_off" })
     EXPECT_NO_THROW(loadScene(std::string("config/scenes/") + name + ".yaml")) << name;
 }
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/scenes.h"
+#include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
 {
@@ -82,6 +83,21 @@ TEST(SimulatedScan, TurnsThePictureRoundWhenThePartMovesInstead)
       {
         ASSERT_NEAR(left.z, right.z, 1e-9) << "cell " << left.cell;
       }
+}
+
+TEST(SimulatedScan, RefusesAFrameItDoesNotHave)
+{
+  const SimulatedScan scan(flatScene());
+  std::vector<std::uint8_t> pixels;
+  EXPECT_THROW(scan.render(-1, pixels), PreconditionError);
+  EXPECT_THROW(scan.truth(4), PreconditionError);
+}
+
+TEST(SimulatedScan, RefusesAnInvalidScene)
+{
+  SceneParams scene = flatScene();
+  scene.frame_rate = -1.0;
+  EXPECT_THROW(SimulatedScan scan(scene), ConfigError);
 }
 
 TEST(SimulatedScan, HidesWhatAStepHidesFromTheCamera)

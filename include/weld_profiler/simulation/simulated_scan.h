@@ -58,7 +58,7 @@ public:
   std::string encoding() const;  ///< mono8, mono16, bayer_rggb8 or bgr8
   std::size_t step() const;
 
-  /// Renders a frame. @param pixels resized to step() * height().
+  /// Renders a frame. @param pixels resized to step() * height(). @throws PreconditionError unless the scan has it.
   void render(int frame, std::vector<std::uint8_t>& pixels) const;
 
   /// True centre line of a frame: one entry for each cell that the laser sheet's image crosses, rising cells.
