@@ -60,7 +60,7 @@ PoseAnswer TfPoseSource::at(Stamp stamp)
   return answer;
 }
 
-void TfPoseSource::reset()
+void TfPoseSource::beginScan()
 {
   travelled_ = false;
   path_ = 0.0;

@@ -137,7 +137,7 @@ void ScanBuilder::restart()
 {
   giveUpWaiting(unplaced::kRestarted);
   hand(assembler_.close(ScanEnd::Stopped));
-  poses_->reset();
+  poses_->beginScan();
   last_stamp_ = std::numeric_limits<Stamp>::min();
   last_placed_.reset();
   balance_ = FrameBalance{};

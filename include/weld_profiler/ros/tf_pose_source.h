@@ -21,7 +21,8 @@ public:
   void setCameraFrame(const std::string& camera_frame) { camera_frame_ = camera_frame; }
 
   PoseAnswer at(Stamp stamp) override;
-  void reset() override;
+  void beginScan() override;
+  void reset() override { beginScan(); }  // the buffer is the listener's, which clears it itself
 
 private:
   const tf2::BufferCore& buffer_;

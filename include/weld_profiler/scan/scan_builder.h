@@ -46,8 +46,8 @@ public:
   /// Time ran backwards at the encoder: waiting profiles are given up under `time_backwards`, the open scan is closed.
   void timeBackwards();
 
-  /// Begins from nothing: waiting profiles given up as `restarted`, open scan handed to on_scan, pose source reset,
-  /// balance set to zero.
+  /// Begins from nothing: waiting profiles given up as `restarted`, open scan handed to on_scan, balance set to
+  /// zero. Encoder samples stay: they are measured, not learnt.
   void restart();
 
   /// While not scanning, profiles are placed and handed to on_profile, become no row and are counted nowhere.
