@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_srvs/Trigger.h>
 
@@ -190,6 +191,63 @@ TEST(Nodelets, AFrameWhoseCameraInfoDoesNotFitIsDroppedAndCounted)
   ASSERT_TRUE(waitFor([&] { return chain.triangulation.count("frames in") == 3; }));
   EXPECT_EQ(chain.triangulation.count("dropped camera_info"), 3U);
   EXPECT_EQ(chain.triangulation.count("rows"), 0U);
+}
+
+TEST(Nodelets, AnOperatorTurnsKnobsLiveAndABadSettingChangesNothing)
+{
+  Chain chain("/knobs", 3);
+  chain.load();
+  const Collector<StripeProfile> stripes(chain.manager.topic("stripe"));
+  const auto set = [&](const dynamic_reconfigure::Config& config)
+  {
+    dynamic_reconfigure::Reconfigure call;
+    call.request.config = config;
+    EXPECT_TRUE(ros::service::call(chain.manager.topic("stripe_centre/set_parameters"), call));
+    return call.response.config;
+  };
+  dynamic_reconfigure::Config method;
+  method.strs.resize(1);
+  method.strs[0].name = "method";
+  method.strs[0].value = "svd";
+  set(method);
+  chain.feed.publishFrame(0);
+  ASSERT_TRUE(waitFor([&] { return stripes.size() == 1; }));
+  EXPECT_EQ(stripes.all().back()->method, "svd");
+
+  dynamic_reconfigure::Config widths;
+  widths.doubles.resize(2);
+  widths.doubles[0].name = "min_stripe_width_px";
+  widths.doubles[0].value = 9.0;
+  widths.doubles[1].name = "max_stripe_width_px";
+  widths.doubles[1].value = 2.0;
+  for (const auto& value : set(widths).doubles)
+  {
+    if (value.name == "min_stripe_width_px")
+      EXPECT_EQ(value.value, 0.5) << "refused, and the server says what holds";
+  }
+  chain.feed.publishFrame(1);
+  ASSERT_TRUE(waitFor([&] { return stripes.size() == 2; }));
+  EXPECT_GT(stripes.all().back()->cell.size(), 1000U);
+}
+
+TEST(Nodelets, TheOverlayIsDrawnOnlyWhileSomebodyLooks)
+{
+  Chain chain("/overlay", 3);
+  chain.load();
+  const Collector<StripeProfile> stripes(chain.manager.topic("stripe"));
+  chain.feed.publishFrame(0);
+  ASSERT_TRUE(waitFor([&] { return stripes.size() == 1; }));
+  const Collector<sensor_msgs::Image> overlays(chain.manager.topic("stripe_image"));
+  ASSERT_TRUE(waitFor([&] { return overlays.publishers() == 1; }));
+  chain.feed.publishFrame(1);
+  ASSERT_TRUE(waitFor([&] { return overlays.size() == 1; }));
+  const auto overlay = overlays.all().front();
+  EXPECT_EQ(overlay->encoding, "bgr8");
+  EXPECT_EQ(overlay->width, 1440U);
+  std::size_t blue = 0;
+  for (std::size_t i = 0; i + 2 < overlay->data.size(); i += 3)
+    blue += overlay->data[i] > 200 && overlay->data[i + 1] < 100 && overlay->data[i + 2] < 100 ? 1 : 0;
+  EXPECT_GT(blue, 300U) << "exact points are blue";
 }
 
 TEST(Nodelets, ABrokenImageIsDroppedAndTheNextOneIsServed)

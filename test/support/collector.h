@@ -35,6 +35,7 @@ public:
   }
 
   std::size_t size() const { return all().size(); }
+  std::uint32_t publishers() const { return subscriber_.getNumPublishers(); }
 
 private:
   mutable std::mutex mutex_;

@@ -55,7 +55,11 @@ public:
         continue;
       std::string list;
       for (const std::string& name : known_)
-        list += (list.empty() ? "" : ", ") + name;
+      {
+        if (!list.empty())
+          list += ", ";
+        list += name;
+      }
       throw ConfigError(origin_ + ": unknown parameter '" + key + "', must be one of: " + list);
     }
   }
