@@ -9,10 +9,10 @@
 #include <thread>
 #include <vector>
 
-#include <boost/make_shared.hpp>
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <boost/make_shared.hpp>
 
 #include "weld_profiler/geometry/calibration_file.h"
 #include "weld_profiler/ros/messages.h"
@@ -22,7 +22,7 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr int kPrepared = 48;  // images the feed cycles over
+constexpr int kPrepared = 48;     // images the feed cycles over
 constexpr double kSpeed = 0.005;  // of the pretended stage [m/s]
 
 struct Options

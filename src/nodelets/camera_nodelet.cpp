@@ -10,8 +10,8 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <image_transport/image_transport.h>
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <std_msgs/UInt64MultiArray.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "load_guard.h"
 #include "weld_profiler/camera/folder_source.h"
@@ -65,8 +65,8 @@ private:
     updater_ = std::make_unique<diagnostic_updater::Updater>(node, getPrivateNodeHandle(), getName());
     updater_->setHardwareID(folder.images);
     updater_->add("camera", this, &CameraNodelet::diagnose);
-    timer_ = node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&)
-                                  { updater_->force_update(); });
+    timer_ =
+        node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
     thread_ = std::thread([this] { capture(); });
   }
 

@@ -14,9 +14,9 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr double kLeadTime = 0.5;          // between announcing a scan and its first sample [s]
-constexpr double kLongestSleep = 0.02;     // so that unloading waits for nothing [s]
-constexpr double kLate = 0.02;             // an event published later than this counts as late [s]
+constexpr double kLeadTime = 0.5;       // between announcing a scan and its first sample [s]
+constexpr double kLongestSleep = 0.02;  // so that unloading waits for nothing [s]
+constexpr double kLate = 0.02;          // an event published later than this counts as late [s]
 
 SceneParams sceneOf(const std::string& name)
 {
@@ -50,7 +50,8 @@ void RigPlayerParams::validate() const
     throw ConfigError("simulated_rig/scene is '', must be a preset or the path of a scene file");
 }
 
-RigPlayer::RigPlayer(ros::NodeHandle& node, ros::NodeHandle& own, const RigPlayerParams& params, const std::string& name)
+RigPlayer::RigPlayer(ros::NodeHandle& node, ros::NodeHandle& own, const RigPlayerParams& params,
+                     const std::string& name)
   : params_((params.validate(), params)), name_(name), scene_(sceneOf(params.scene)), updater_(node, own, name)
 {
   scene_.validate();
@@ -59,7 +60,8 @@ RigPlayer::RigPlayer(ros::NodeHandle& node, ros::NodeHandle& own, const RigPlaye
   broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
   updater_.setHardwareID("simulated");
   updater_.add("simulated rig", this, &RigPlayer::diagnose);
-  timer_ = node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  timer_ =
+      node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
   thread_ = std::thread([this] { run(); });
 }
 

@@ -18,13 +18,13 @@ namespace weld_profiler
 /// Settings of the simulated rig.
 struct RigPlayerParams
 {
-  std::string scene = "realistic";       ///< a preset's name or the path of a scene file
+  std::string scene = "realistic";  ///< a preset's name or the path of a scene file
   std::string frame_id = "camera_optical_frame";
-  std::string fixed_frame = "world";     ///< parent of the camera with motion tf
-  std::string truth_dir;                 ///< where the truth is written before the scan starts; empty = nowhere
-  bool loop = false;                     ///< scan again and again
-  bool wait_for_subscriber = true;       ///< the scan begins when somebody listens to image_raw
-  int prerender_frames = 400;            ///< rendered before the scan starts (1.6 MB each); the rest on the way, 0..100000
+  std::string fixed_frame = "world";  ///< parent of the camera with motion tf
+  std::string truth_dir;              ///< where the truth is written before the scan starts; empty = nowhere
+  bool loop = false;                  ///< scan again and again
+  bool wait_for_subscriber = true;    ///< the scan begins when somebody listens to image_raw
+  int prerender_frames = 400;         ///< rendered before the scan starts (1.6 MB each); the rest on the way, 0..100000
 
   void validate() const;  ///< @throws ConfigError naming field, value and range
 
@@ -41,8 +41,8 @@ struct RigPlayerParams
   }
 };
 
-/// Plays a simulated scan in real time on a thread of its own: an image when its exposure ends, stamped with its middle;
-/// an encoder sample when it is taken.
+/// Plays a simulated scan in real time on a thread of its own: an image when its exposure ends, stamped with its
+/// middle; an encoder sample when it is taken.
 class RigPlayer
 {
 public:

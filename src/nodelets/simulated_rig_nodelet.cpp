@@ -5,8 +5,8 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "load_guard.h"
-#include "weld_profiler/ros/node_params.h"
 #include "rig_player.h"
+#include "weld_profiler/ros/node_params.h"
 
 namespace weld_profiler
 {

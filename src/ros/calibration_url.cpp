@@ -24,5 +24,8 @@ std::string resolveUrl(const std::string& url)
   return slash == std::string::npos ? path : path + rest.substr(slash);
 }
 
-Calibration loadCalibrationFrom(const std::string& url) { return loadCalibration(resolveUrl(url), resolveUrl); }
+Calibration loadCalibrationFrom(const std::string& url)
+{
+  return loadCalibration(resolveUrl(url), resolveUrl);
+}
 }  // namespace weld_profiler

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <sstream>
 
-#include <boost/make_shared.hpp>
 #include <sensor_msgs/distortion_models.h>
 #include <sensor_msgs/image_encodings.h>
+#include <boost/make_shared.hpp>
 
 #include "weld_profiler/core/errors.h"
 
@@ -19,7 +19,10 @@ ros::Time toRosTime(Stamp stamp)
   return time;
 }
 
-Stamp fromRosTime(const ros::Time& time) { return static_cast<Stamp>(time.toNSec()); }
+Stamp fromRosTime(const ros::Time& time)
+{
+  return static_cast<Stamp>(time.toNSec());
+}
 
 sensor_msgs::ImagePtr imageMessage(Frame&& frame, const std::string& frame_id)
 {
@@ -51,17 +54,14 @@ RawImage rawImage(const sensor_msgs::Image& message)
   }
   catch (const std::runtime_error&)
   {
-    throw PreconditionError("image encoding '" + message.encoding + "' is unknown, publish mono8, mono16, bayer or rgb");
+    throw PreconditionError("image encoding '" + message.encoding +
+                            "' is unknown, publish mono8, mono16, bayer or rgb");
   }
   if (message.step < message.width * pixel_bytes ||
       message.data.size() < static_cast<std::size_t>(message.step) * message.height)
     throw PreconditionError(text.str() + " does not hold the pixels it promises");
-  return RawImage{ message.data.data(),
-                   static_cast<int>(message.width),
-                   static_cast<int>(message.height),
-                   message.step,
-                   message.encoding,
-                   message.is_bigendian != 0 };
+  return RawImage{ message.data.data(), static_cast<int>(message.width), static_cast<int>(message.height), message.step,
+                   message.encoding,    message.is_bigendian != 0 };
 }
 
 sensor_msgs::CameraInfo cameraInfoMessage(const CameraCalibration& camera)
@@ -113,9 +113,15 @@ geometry_msgs::TransformStamped transformMessage(Stamp stamp, const Eigen::Matri
 namespace
 {
 /// 0 and 1 both mean "not binned" in CameraInfo, and a region of 0 x 0 the whole sensor.
-std::uint32_t binning(std::uint32_t value) { return std::max<std::uint32_t>(value, 1); }
+std::uint32_t binning(std::uint32_t value)
+{
+  return std::max<std::uint32_t>(value, 1);
+}
 
-bool differs(double a, double b) { return !(std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b))); }
+bool differs(double a, double b)
+{
+  return !(std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)));
+}
 }  // namespace
 
 std::string cameraInfoMismatch(const sensor_msgs::CameraInfo& info, const CameraCalibration& camera)
@@ -189,9 +195,9 @@ void swapStripe(Stripe& stripe, StripeProfile& message)
 void copyStripe(const StripeProfile& message, Stripe& stripe)
 {
   const std::size_t count = message.cell.size();
-  for (const std::size_t length : { message.u.size(), message.v.size(), message.normal_angle.size(),
-                                    message.intensity.size(), message.stripe_width.size(), message.sigma.size(),
-                                    message.flags.size() })
+  for (const std::size_t length :
+       { message.u.size(), message.v.size(), message.normal_angle.size(), message.intensity.size(),
+         message.stripe_width.size(), message.sigma.size(), message.flags.size() })
   {
     if (length != count)
       throw PreconditionError("stripe arrays have different lengths (" + std::to_string(count) + " cells, " +

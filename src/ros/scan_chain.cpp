@@ -85,11 +85,13 @@ bool ScanChain::fits(const StripeProfile& stripe)
     return false;
   }
   const CameraModel& camera = triangulator_->camera();
-  if (static_cast<int>(stripe.image_width) != camera.width() || static_cast<int>(stripe.image_height) != camera.height())
+  if (static_cast<int>(stripe.image_width) != camera.width() ||
+      static_cast<int>(stripe.image_height) != camera.height())
   {
-    refuse("image_size", "image is " + std::to_string(stripe.image_width) + " x " + std::to_string(stripe.image_height) +
-                             ", the calibration's " + std::to_string(camera.width()) + " x " +
-                             std::to_string(camera.height()) + ": use the calibration of this camera mode");
+    refuse("image_size", "image is " + std::to_string(stripe.image_width) + " x " +
+                             std::to_string(stripe.image_height) + ", the calibration's " +
+                             std::to_string(camera.width()) + " x " + std::to_string(camera.height()) +
+                             ": use the calibration of this camera mode");
     return false;
   }
   return true;

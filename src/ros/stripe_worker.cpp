@@ -1,8 +1,8 @@
 #include "weld_profiler/ros/stripe_worker.h"
 
-#include <opencv2/core/mat.hpp>
 #include <sensor_msgs/image_encodings.h>
 #include <std_msgs/UInt64MultiArray.h>
+#include <opencv2/core/mat.hpp>
 
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/ros/diagnostics.h"
@@ -36,8 +36,8 @@ StripeWorker::StripeWorker(ros::NodeHandle& node, ros::NodeHandle& own, const St
     pixels_ = node.advertise<std_msgs::UInt64MultiArray>("pixels_read", 1000);
   updater_.setHardwareID("none");
   updater_.add("stripe centre", this, &StripeWorker::diagnose);
-  diagnostics_timer_ = node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&)
-                                            { updater_.force_update(); });
+  diagnostics_timer_ =
+      node.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
   thread_ = std::thread([this] { run(); });
 }
 
@@ -71,7 +71,10 @@ void StripeWorker::onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
   info_ = info;
 }
 
-void StripeWorker::onScanStarted(const std_msgs::HeaderConstPtr&) { reset_ = true; }
+void StripeWorker::onScanStarted(const std_msgs::HeaderConstPtr&)
+{
+  reset_ = true;
+}
 
 /// A gap in the driver's counter: images that were published and never came here.
 void StripeWorker::countGap(const sensor_msgs::Image& image)
@@ -135,7 +138,8 @@ bool StripeWorker::extract(const sensor_msgs::Image& image)
   catch (const std::exception& error)
   {
     drop("bad_image", 1);
-    ROS_ERROR_STREAM_THROTTLE_NAMED(kLogPeriod, name_, "[" << name_ << "] " << error.what() << "; the frame is dropped");
+    ROS_ERROR_STREAM_THROTTLE_NAMED(kLogPeriod, name_,
+                                    "[" << name_ << "] " << error.what() << "; the frame is dropped");
     return false;
   }
 }

@@ -32,8 +32,7 @@ PoseAnswer TfPoseSource::at(Stamp stamp)
   try
   {
     // where tf ends tells "not yet" from "never": lookupTransform's exception is one type for both
-    const geometry_msgs::TransformStamped latest =
-        buffer_.lookupTransform(fixed_frame_, camera_frame_, ros::Time(0));
+    const geometry_msgs::TransformStamped latest = buffer_.lookupTransform(fixed_frame_, camera_frame_, ros::Time(0));
     const bool is_static = latest.header.stamp.isZero();
     if (!is_static && latest.header.stamp < toRosTime(stamp))
       return answer;

@@ -105,7 +105,8 @@ int scan(const Options& options)
             << " unplaced, " << balance.droppedTotal() << " dropped\n";
   if (balance.rows == 0)
     std::cerr << "scan_bag: " << params.bag << ": no frame became a row, see summary.json for where they went\n";
-  const bool poor = balance.rows == 0 || static_cast<double>(lost) > options.max_drop * static_cast<double>(balance.frames_in);
+  const bool poor =
+      balance.rows == 0 || static_cast<double>(lost) > options.max_drop * static_cast<double>(balance.frames_in);
   return poor ? kPoorResult : kGood;
 }
 }  // namespace
@@ -117,7 +118,8 @@ int main(int argc, char** argv)
   weld_profiler::CommandLine command(
       "scan_bag",
       "Turns a recorded scan into an organised point cloud: the live chain over a bag, every message, without a ROS\n"
-      "master. The same bag and parameters give the same bytes. Leaves scan.pcd (organised, the fields of scan_points),\n"
+      "master. The same bag and parameters give the same bytes. Leaves scan.pcd (organised, the fields of "
+      "scan_points),\n"
       "scan.ply and summary.json (where every frame went) in DIR.");
   weld_profiler::declare(command, options);
   return weld_profiler::runCommand(command, argc, argv, [&] { return weld_profiler::scan(options); });

@@ -1,12 +1,12 @@
+#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <cmath>
 
-#include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 #include <dynamic_reconfigure/Reconfigure.h>
+#include <gtest/gtest.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_srvs/Trigger.h>
+#include <opencv2/imgcodecs.hpp>
 
 #include "support/collector.h"
 #include "support/diagnostics_reader.h"
@@ -27,7 +27,10 @@ class Chain
 {
 public:
   Chain(const std::string& name, int frames)
-    : manager(name), feed(name, smallScene(frames)), triangulation(name + "/triangulation"), stripe(name + "/stripe_centre")
+    : manager(name),
+      feed(name, smallScene(frames)),
+      triangulation(name + "/triangulation"),
+      stripe(name + "/stripe_centre")
   {
     saveCalibration(feed.scan().calibration(), folder.file("calibration.yaml"));
     manager.set("triangulation", "calibration", folder.file("calibration.yaml"));
@@ -168,7 +171,8 @@ TEST(Nodelets, TheBalanceOfFramesClosesExactlyUnderOverload)
     chain.feed.publish(image);
     chain.feed.publishSample(stamp + 1000, 1e-5 * (i + 1));
   }
-  ASSERT_TRUE(waitFor([&] { return chain.stripe.count("frames in") == kFrames && chain.stripe.count("waiting") == 0; }));
+  ASSERT_TRUE(
+      waitFor([&] { return chain.stripe.count("frames in") == kFrames && chain.stripe.count("waiting") == 0; }));
   EXPECT_GT(chain.stripe.count("dropped"), 0U) << "there was no overload";
   EXPECT_EQ(chain.stripe.count("frames in"), chain.stripe.count("stripes out") + chain.stripe.count("dropped"));
   EXPECT_EQ(stripes.size(), chain.stripe.count("stripes out"));
@@ -223,7 +227,9 @@ TEST(Nodelets, AnOperatorTurnsKnobsLiveAndABadSettingChangesNothing)
   for (const auto& value : set(widths).doubles)
   {
     if (value.name == "min_stripe_width_px")
+    {
       EXPECT_EQ(value.value, 0.5) << "refused, and the server says what holds";
+    }
   }
   chain.feed.publishFrame(1);
   ASSERT_TRUE(waitFor([&] { return stripes.size() == 2; }));

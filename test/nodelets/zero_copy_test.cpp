@@ -2,10 +2,10 @@
 #include <map>
 
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/UInt64MultiArray.h>
+#include <opencv2/imgcodecs.hpp>
 
 #include "support/collector.h"
 #include "support/in_process_manager.h"

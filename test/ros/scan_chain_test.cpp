@@ -39,7 +39,10 @@ protected:
     return message;
   }
 
-  void encoder(double seconds, double position) { chain_->addJoints(jointStateMessage(fromSeconds(seconds), "stage_joint", position)); }
+  void encoder(double seconds, double position)
+  {
+    chain_->addJoints(jointStateMessage(fromSeconds(seconds), "stage_joint", position));
+  }
 
   tf2::BufferCore transforms_;
   std::vector<Profile> profiles_;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <boost/function.hpp>
 #include <ros/ros.h>
+#include <boost/function.hpp>
 
 namespace weld_profiler
 {

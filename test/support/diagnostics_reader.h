@@ -14,10 +14,7 @@ class DiagnosticsReader
 {
 public:
   /// @param nodelet  full name, such as /profiler/triangulation.
-  explicit DiagnosticsReader(const std::string& nodelet)
-    : name_(nodelet.substr(1)), collector_("/diagnostics")
-  {
-  }
+  explicit DiagnosticsReader(const std::string& nodelet) : name_(nodelet.substr(1)), collector_("/diagnostics") {}
 
   /// Its latest values; empty when it has said nothing.
   std::map<std::string, std::string> latest() const

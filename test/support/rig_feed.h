@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include <boost/make_shared.hpp>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
+#include <boost/make_shared.hpp>
 
 #include "weld_profiler/core/frame.h"
 #include "weld_profiler/ros/messages.h"

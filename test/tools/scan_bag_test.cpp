@@ -92,8 +92,9 @@ TEST_F(ScanBag, LeavesCloudAndBalance)
 
 TEST_F(ScanBag, AGapOfTheEncoderLeavesItsFramesUnplacedAndCounted)
 {
-  rewrite<sensor_msgs::JointState>("gap.bag", [](std::size_t, sensor_msgs::JointState& joints)
-                                   { return joints.header.stamp < ros::Time(1000.2) || joints.header.stamp > ros::Time(1000.4); });
+  rewrite<sensor_msgs::JointState>(
+      "gap.bag", [](std::size_t, sensor_msgs::JointState& joints)
+      { return joints.header.stamp < ros::Time(1000.2) || joints.header.stamp > ros::Time(1000.4); });
   const CommandResult result = scan(kCalibration + "--max-drop 1 --out scan gap.bag");
   EXPECT_EQ(result.status, 0) << result.errors;
   const YAML::Node balance = summary("scan");

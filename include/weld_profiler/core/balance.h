@@ -10,9 +10,9 @@ namespace weld_profiler
 struct FrameBalance
 {
   std::uint64_t frames_in = 0;
-  std::uint64_t rows = 0;        ///< rows of the cloud that hold a stripe
-  std::uint64_t no_stripe = 0;   ///< placed rows of NaN: the frame showed no stripe
-  std::uint64_t skipped = 0;     ///< left out by the trigger: the stage had not moved far enough
+  std::uint64_t rows = 0;                         ///< rows of the cloud that hold a stripe
+  std::uint64_t no_stripe = 0;                    ///< placed rows of NaN: the frame showed no stripe
+  std::uint64_t skipped = 0;                      ///< left out by the trigger: the stage had not moved far enough
   std::map<std::string, std::uint64_t> unplaced;  ///< by reason: encoder_gap, before_first_sample, ...
   std::map<std::string, std::uint64_t> dropped;   ///< by reason: queue_full, camera_info, lost_by_driver, ...
 

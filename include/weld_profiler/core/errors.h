@@ -42,8 +42,8 @@ void requireRange(const std::string& name, T value, T low, T high, const std::st
   if (value >= low && value <= high)
     return;
   std::ostringstream text;
-  text << name << " is " << +value << ", must be in [" << +low << ", " << +high << "]"
-       << (unit.empty() ? "" : " ") << unit;
+  text << name << " is " << +value << ", must be in [" << +low << ", " << +high << "]" << (unit.empty() ? "" : " ")
+       << unit;
   throw ConfigError(text.str());
 }
 

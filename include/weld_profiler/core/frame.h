@@ -19,10 +19,10 @@ struct Frame
   int height = 0;
   std::size_t step = 0;
   std::string encoding;
-  Stamp stamp = 0;             ///< middle of the exposure
-  std::uint64_t number = 0;    ///< the driver's frame counter; a gap = frames lost
-  double exposure = 0.0;       ///< [s], 0 = unknown
-  std::string origin;          ///< file name or device address, for messages
+  Stamp stamp = 0;           ///< middle of the exposure
+  std::uint64_t number = 0;  ///< the driver's frame counter; a gap = frames lost
+  double exposure = 0.0;     ///< [s], 0 = unknown
+  std::string origin;        ///< file name or device address, for messages
 
   RawImage view() const { return RawImage{ pixels.data(), width, height, step, encoding, false }; }
 };

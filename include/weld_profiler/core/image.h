@@ -10,10 +10,10 @@ namespace weld_profiler
 struct ImageView
 {
   const std::uint8_t* data = nullptr;
-  int width = 0;          ///< columns [px]
-  int height = 0;         ///< rows [px]
-  std::size_t step = 0;   ///< bytes from one row to the next
-  int bit_depth = 8;      ///< of the container: 8 or 16 (host byte order)
+  int width = 0;         ///< columns [px]
+  int height = 0;        ///< rows [px]
+  std::size_t step = 0;  ///< bytes from one row to the next
+  int bit_depth = 8;     ///< of the container: 8 or 16 (host byte order)
 
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
 
@@ -31,7 +31,7 @@ struct RawImage
   int width = 0;
   int height = 0;
   std::size_t step = 0;
-  std::string encoding;        ///< name as in sensor_msgs/image_encodings
-  bool big_endian = false;     ///< byte order of 16-bit pixels
+  std::string encoding;     ///< name as in sensor_msgs/image_encodings
+  bool big_endian = false;  ///< byte order of 16-bit pixels
 };
 }  // namespace weld_profiler

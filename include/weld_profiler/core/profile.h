@@ -23,10 +23,10 @@ struct SensorPoint
 /// One frame's points in the camera optical frame, waiting to be placed. Empty points = no stripe.
 struct SensorProfile
 {
-  Stamp stamp = 0;             ///< middle of the exposure
-  std::uint64_t frame = 0;     ///< the driver's frame counter
+  Stamp stamp = 0;          ///< middle of the exposure
+  std::uint64_t frame = 0;  ///< the driver's frame counter
   Direction direction = Direction::AlongU;
-  std::uint32_t cells = 0;     ///< width of the organised cloud: image width, or height for AlongV
+  std::uint32_t cells = 0;  ///< width of the organised cloud: image width, or height for AlongV
   std::vector<SensorPoint> points;
 };
 
@@ -41,10 +41,10 @@ struct SensorPose
 struct CloudPoint
 {
   float x = 0.0F, y = 0.0F, z = 0.0F;
-  float intensity = 0.0F;      ///< peak above background [DN]
-  float sigma = 0.0F;          ///< 1-sigma in z [m]
-  std::uint16_t cell = 0;      ///< column in the organised cloud
-  std::uint8_t flags = 0;      ///< OR of stripe_flag
+  float intensity = 0.0F;  ///< peak above background [DN]
+  float sigma = 0.0F;      ///< 1-sigma in z [m]
+  std::uint16_t cell = 0;  ///< column in the organised cloud
+  std::uint8_t flags = 0;  ///< OR of stripe_flag
 };
 
 /// One placed profile: rising cells, holes left out. Empty points = a row of NaN.
@@ -52,7 +52,7 @@ struct Profile
 {
   Stamp stamp = 0;
   std::uint64_t frame = 0;
-  double stage = 0.0;          ///< [m]
+  double stage = 0.0;  ///< [m]
   std::uint32_t cells = 0;
   std::vector<CloudPoint> points;
 };

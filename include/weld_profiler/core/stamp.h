@@ -4,12 +4,16 @@
 
 namespace weld_profiler
 {
-/// A point in time: nanoseconds since the epoch of whoever stamps (ROS time). An image's stamp is the middle of its exposure.
+/// A point in time: nanoseconds since the epoch of whoever stamps (ROS time). An image's stamp is the middle of its
+/// exposure.
 using Stamp = std::int64_t;
 
 constexpr double kNanosecondsPerSecond = 1e9;
 
-inline double toSeconds(Stamp duration) { return static_cast<double>(duration) / kNanosecondsPerSecond; }
+inline double toSeconds(Stamp duration)
+{
+  return static_cast<double>(duration) / kNanosecondsPerSecond;
+}
 
 inline Stamp fromSeconds(double seconds)
 {

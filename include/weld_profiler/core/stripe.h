@@ -33,14 +33,14 @@ constexpr std::uint8_t kAmbiguous = 4;     ///< a second candidate in this cell 
 /// One centre of the stripe.
 struct StripePoint
 {
-  std::uint16_t cell = 0;      ///< column (row for AlongV) the centre was found in
-  float u = 0.0F;              ///< column [px], raw image, pixel centres at integers
-  float v = 0.0F;              ///< row [px]
-  float normal_angle = 0.0F;   ///< direction across the stripe, from +u toward +v [rad], in (-pi/2, pi/2]
-  float intensity = 0.0F;      ///< peak above background [DN]
-  float width = 0.0F;          ///< 1-sigma half width of the stripe across itself [px]
-  float sigma = 0.0F;          ///< 1-sigma uncertainty of the centre across the stripe [px]
-  std::uint8_t flags = 0;      ///< OR of stripe_flag
+  std::uint16_t cell = 0;     ///< column (row for AlongV) the centre was found in
+  float u = 0.0F;             ///< column [px], raw image, pixel centres at integers
+  float v = 0.0F;             ///< row [px]
+  float normal_angle = 0.0F;  ///< direction across the stripe, from +u toward +v [rad], in (-pi/2, pi/2]
+  float intensity = 0.0F;     ///< peak above background [DN]
+  float width = 0.0F;         ///< 1-sigma half width of the stripe across itself [px]
+  float sigma = 0.0F;         ///< 1-sigma uncertainty of the centre across the stripe [px]
+  std::uint8_t flags = 0;     ///< OR of stripe_flag
 };
 
 /// The sub-pixel centre line of one frame: arrays of equal length, at most one centre a cell, cells strictly rising.

@@ -17,11 +17,11 @@ public:
 
   struct Summary
   {
-    std::size_t count = 0;    ///< ages the figures rest on
-    double p50 = 0.0;         ///< [s]
-    double p99 = 0.0;         ///< [s]
-    double max = 0.0;         ///< [s]
-    double rate = 0.0;        ///< [1/s]; 0 with fewer than two
+    std::size_t count = 0;  ///< ages the figures rest on
+    double p50 = 0.0;       ///< [s]
+    double p99 = 0.0;       ///< [s]
+    double max = 0.0;       ///< [s]
+    double rate = 0.0;      ///< [1/s]; 0 with fewer than two
   };
   Summary summary() const;
 

@@ -10,8 +10,8 @@ namespace weld_profiler
 /// Adds rate and age of data: `rate [Hz]`, `age p50 [ms]`, `age p99 [ms]`, `age max [ms]`.
 void reportAge(const AgeStatistics::Summary& age, diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// Adds where the frames went: `frames in`, `rows`, `no stripe`, `skipped`, `waiting`, and a line a reason for `unplaced`
-/// and `dropped`. Level WARN when anything is unplaced or dropped.
+/// Adds where the frames went: `frames in`, `rows`, `no stripe`, `skipped`, `waiting`, and a line a reason for
+/// `unplaced` and `dropped`. Level WARN when anything is unplaced or dropped.
 void reportBalance(const FrameBalance& balance, std::size_t waiting,
                    diagnostic_updater::DiagnosticStatusWrapper& status);
 }  // namespace weld_profiler

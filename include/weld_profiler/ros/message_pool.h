@@ -16,7 +16,10 @@ class MessagePool
 {
 public:
   /// @param most_idle  messages kept for reuse; what comes back beyond is freed.
-  explicit MessagePool(std::size_t most_idle = 16) : store_(std::make_shared<Store>()) { store_->most_idle = most_idle; }
+  explicit MessagePool(std::size_t most_idle = 16) : store_(std::make_shared<Store>())
+  {
+    store_->most_idle = most_idle;
+  }
 
   /// A message of unspecified content (that of its last use), owned by nobody else.
   boost::shared_ptr<Message> take()

@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include <Eigen/Geometry>
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <Eigen/Geometry>
 
 #include "weld_profiler/StripeProfile.h"
 #include "weld_profiler/core/frame.h"

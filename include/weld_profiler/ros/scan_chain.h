@@ -40,8 +40,8 @@ struct ScanChainParams
   }
 };
 
-/// Messages in, placed profiles and scans out: checks, triangulation, placing, assembly. The live nodelet and the offline
-/// command feed this same class. Not thread safe; the caller serialises.
+/// Messages in, placed profiles and scans out: checks, triangulation, placing, assembly. The live nodelet and the
+/// offline command feed this same class. Not thread safe; the caller serialises.
 class ScanChain
 {
 public:

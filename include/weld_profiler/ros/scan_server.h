@@ -24,7 +24,7 @@ struct ScanServerParams
   bool auto_start = true;  ///< a scan starts by itself; else with start_scan
   bool lossless = false;   ///< replay: nothing is dropped, whatever it takes
 
-  void validate() const;   ///< @throws ConfigError naming field, value and range
+  void validate() const;  ///< @throws ConfigError naming field, value and range
 
   template <class Visitor>
   void visit(Visitor&& v)

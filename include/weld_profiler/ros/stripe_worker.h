@@ -48,8 +48,8 @@ class StripeWorker
 {
 public:
   /// @throws ConfigError naming field, value and range.
-  StripeWorker(ros::NodeHandle& node, ros::NodeHandle& own, const StripeParams& params,
-               const StripeWorkerParams& work, const std::string& name);
+  StripeWorker(ros::NodeHandle& node, ros::NodeHandle& own, const StripeParams& params, const StripeWorkerParams& work,
+               const std::string& name);
   ~StripeWorker();
 
   /// Swaps in a stage built from params; a frame under way ends with the old one.

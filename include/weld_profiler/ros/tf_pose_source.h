@@ -8,8 +8,9 @@
 
 namespace weld_profiler
 {
-/// The sensor's pose at a stamp from tf, for a robot that carries the sensor and turns it. Waits for the transform, never
-/// takes the latest. SensorPose::stage is the path length that the camera's origin travelled between placed profiles [m].
+/// The sensor's pose at a stamp from tf, for a robot that carries the sensor and turns it. Waits for the transform,
+/// never takes the latest. SensorPose::stage is the path length that the camera's origin travelled between placed
+/// profiles [m].
 class TfPoseSource : public PoseSource
 {
 public:

@@ -8,8 +8,8 @@
 
 namespace weld_profiler
 {
-/// The bounded queue between a callback and the thread that works. Live, a full queue loses its oldest item and says so;
-/// lossless, push waits for room. close() wakes everybody.
+/// The bounded queue between a callback and the thread that works. Live, a full queue loses its oldest item and says
+/// so; lossless, push waits for room. close() wakes everybody.
 template <class Item>
 class WorkQueue
 {
