@@ -149,6 +149,11 @@ void printAccuracy()
     }
     std::printf("   error / told sigma %.2f\n", sigmas);
   }
+}
+
+/// The paper to the letter, and what each departure from it brings.
+void printReadings()
+{
   struct Reading
   {
     const char* name;
@@ -252,6 +257,7 @@ void printRepair()
 int main()
 {
   printAccuracy();
+  printReadings();
   printHardScenes();
   printRepair();
   return 0;

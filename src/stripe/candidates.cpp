@@ -139,7 +139,7 @@ void CandidateFinder::readProfile(int u, int first_row, int last_row)
 {
   const ImageView& image = median_.filtered();
   const auto at = [&](int v) { return static_cast<float>(image.row<Pixel>(v)[u]); };
-  profile_.resize(static_cast<std::size_t>(last_row - first_row + 1));
+  profile_.resize(static_cast<std::size_t>(last_row - first_row) + 1);
   float before = at(first_row);
   float here = before;
   for (int v = first_row; v <= last_row; ++v)

@@ -7,10 +7,11 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr float kJumpCost = 5.0F;      ///< of a step, in columns of a full reward
-constexpr float kFreeSlope = 1.5F;     ///< rows a column that cost next to nothing: 56 deg
+constexpr float kJumpCost = 5.0F;   ///< of a step, in columns of a full reward
+constexpr float kFreeSlope = 1.5F;  ///< rows a column that cost next to nothing: 56 deg
+constexpr float kFreeSigmas = 0.5F;
 constexpr float kSlopeCost = 0.03F;    ///< per row: of two ways equally bright the straighter
-constexpr float kRoughCost = 0.3F;     ///< per row beyond the free slope
+constexpr float kRoughCost = 0.8F;     ///< per row beyond the free slope
 constexpr float kWeak = 0.6F;          ///< reward of a candidate below Otsu's threshold
 constexpr float kBrightEnough = 0.5F;  ///< brightness, of the typical, that earns the full reward
 constexpr float kBonus = 0.1F;         ///< share of the reward that tells bright from brighter: a long reflection that
@@ -19,10 +20,12 @@ constexpr float kAmbiguous = 0.5F;     ///< brightness, of the chosen, from whic
 constexpr std::size_t kLive = 12;      ///< ends of paths followed at once
 constexpr int kSmallGap = 3;           ///< columns that may be missing inside a piece
 
-float transitionCost(int columns, float rows)
+/// @param sigma  of the wider of the two: the top of a wide, speckled stripe is found to a fraction of its width.
+float transitionCost(int columns, float rows, float sigma)
 {
   const float distance = std::abs(rows);
-  const float rough = std::max(0.0F, distance - kFreeSlope * static_cast<float>(columns) - 1.0F);
+  const float rough =
+      std::max(0.0F, distance - kFreeSlope * static_cast<float>(columns) - std::max(1.0F, kFreeSigmas * sigma));
   return std::min(kJumpCost, kSlopeCost * distance + kRoughCost * rough);
 }
 }  // namespace
@@ -84,8 +87,9 @@ void ContinuityTracker::addState(const CandidateList& candidates, int u, int can
   for (const int index : live_)
   {
     const State& before = states_[index];
-    const float rows = candidates.items[candidate].v - candidates.items[before.candidate].v;
-    const float cost = transitionCost(u - before.u, rows);
+    const Candidate& from = candidates.items[before.candidate];
+    const Candidate& to = candidates.items[candidate];
+    const float cost = transitionCost(u - before.u, to.v - from.v, std::max(from.sigma, to.sigma));
     if (before.score - cost > state.score)
     {
       state.score = before.score - cost;

@@ -55,26 +55,25 @@ void DerivativeKernel::setGaussian(double sigma)
   smooth_.resize(size);
   first_.resize(size);
   second_.resize(size);
+  const auto place = [this](std::size_t i) { return static_cast<double>(i) - reach_; };
   double sum = 0.0;
-  for (int x = -reach_; x <= reach_; ++x)
-    sum += smooth_[static_cast<std::size_t>(x + reach_)] = std::exp(-0.5 * x * x / (sigma * sigma));
+  for (std::size_t i = 0; i < size; ++i)
+    sum += smooth_[i] = std::exp(-0.5 * place(i) * place(i) / (sigma * sigma));
   double square = 0.0;
-  for (int x = -reach_; x <= reach_; ++x)
+  for (std::size_t i = 0; i < size; ++i)
   {
-    const auto i = static_cast<std::size_t>(x + reach_);
     smooth_[i] /= sum;
-    square += smooth_[i] * x * x;
+    square += smooth_[i] * place(i) * place(i);
   }
   // Sampled and cut off, a kernel no longer has the moments of the Gaussian: given back, so that a slope of 1 and a
   // curvature of 1 measure 1, and a flat image measures 0.
   double fourth = 0.0;
-  for (int x = -reach_; x <= reach_; ++x)
-    fourth += smooth_[static_cast<std::size_t>(x + reach_)] * x * x * (x * x - square);
-  for (int x = -reach_; x <= reach_; ++x)
+  for (std::size_t i = 0; i < size; ++i)
+    fourth += smooth_[i] * place(i) * place(i) * (place(i) * place(i) - square);
+  for (std::size_t i = 0; i < size; ++i)
   {
-    const auto i = static_cast<std::size_t>(x + reach_);
-    first_[i] = smooth_[i] * x / square;
-    second_[i] = 2.0 * smooth_[i] * (x * x - square) / fourth;
+    first_[i] = smooth_[i] * place(i) / square;
+    second_[i] = 2.0 * smooth_[i] * (place(i) * place(i) - square) / fourth;
   }
   finish();
 }

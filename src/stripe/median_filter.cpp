@@ -90,7 +90,8 @@ void TiledMedian::reset(const ImageView& image, int size)
 
 void TiledMedian::request(int u, int tile_row)
 {
-  requested_[static_cast<std::size_t>(tile_row * tiles_u_ + u / kTileColumns)] = 1;
+  requested_[static_cast<std::size_t>(tile_row) * static_cast<std::size_t>(tiles_u_) +
+             static_cast<std::size_t>(u / kTileColumns)] = 1;
 }
 
 void TiledMedian::filter()

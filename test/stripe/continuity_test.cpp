@@ -91,6 +91,29 @@ TEST(Continuity, IsNotDisturbedByPepperNoise)
   EXPECT_LE(outcome.missing, 0.02);
 }
 
+TEST(Continuity, DropsACentroidThatLeavesItsStripe)
+{
+  // Blobs four times as bright as the stripe, just outside its window.
+  StripePicture scene = lineScene();
+  scene.peak = 60.0;
+  Picture picture = render(scene);
+  for (int u = 20; u < scene.width - 20; u += 40)
+  {
+    const int v = static_cast<int>(scene.row(u)) + 8;
+    for (int j = -2; j <= 2; ++j)
+      for (int i = -2; i <= 2; ++i)
+        picture.set(u + i, v + j, 255.0);
+  }
+  for (const std::string& method : stripeMethods())
+  {
+    const Stripe stripe = extract(paramsOf(method), picture);
+    ASSERT_GE(stripe.size(), 500U) << method;
+    for (std::size_t i = 0; i < stripe.size(); ++i)
+      EXPECT_LT(std::abs(distanceAcross(scene, stripe.u[i], stripe.v[i])), 4.5)
+          << method << ", cell " << stripe.cell[i];
+  }
+}
+
 TEST(Continuity, TakesAStepAndBothItsSides)
 {
   StripePicture scene = lineScene();

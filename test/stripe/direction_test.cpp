@@ -37,6 +37,21 @@ TEST(Transpose, TurnsRowsIntoColumns)
   }
 }
 
+TEST(LengthAlong, CountsWhatRunsAlongTheDirection)
+{
+  const float quarter_turn = 0.5F * static_cast<float>(std::acos(-1.0));
+  Stripe stripe;
+  StripePoint point;
+  point.normal_angle = quarter_turn;
+  for (int i = 0; i < 10; ++i)
+    stripe.push_back(point);
+  EXPECT_NEAR(lengthAlong(stripe), 10.0, 1e-5) << "level, seen along the rows";
+  transpose(stripe);
+  EXPECT_NEAR(lengthAlong(stripe), 10.0, 1e-5) << "upright, seen along the columns";
+  stripe.direction = Direction::AlongU;
+  EXPECT_NEAR(lengthAlong(stripe), 0.0, 1e-5) << "upright, seen along the rows";
+}
+
 TEST(Transpose, OfAStripeTwiceIsTheStripe)
 {
   Stripe stripe;

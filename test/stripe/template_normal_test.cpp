@@ -74,6 +74,19 @@ TEST(SvdNormal, IsUndefinedWhereTheTemplateIsSymmetric)
   EXPECT_NEAR(normal.v, 1.0, 1e-12);
 }
 
+TEST(SvdNormal, IsUndefinedUpToAMillionthOfTheMatrixsNorm)
+{
+  // Three rows of 250: |P|^2 = 392 + 21 * 62500 = 1312892, so the moment has to be larger than 1.31.
+  Picture picture = test_support::blank(9, 9, 0.0);
+  for (int v = 3; v <= 5; ++v)
+    for (int u = 0; u < 9; ++u)
+      picture.set(u, v, 250.0);
+  picture.set(4, 5, 251.0);
+  EXPECT_FALSE(svdNormal(picture.view(), Levels{}, Block{ 4, 4 }).defined) << "moment 1";
+  picture.set(3, 5, 251.0);
+  EXPECT_TRUE(svdNormal(picture.view(), Levels{}, Block{ 4, 4 }).defined) << "moment 2";
+}
+
 TEST(PcaNormal, IsTheSmallestEigenvectorOfTheWeightedCovariance)
 {
   for (const double degrees : { 0.0, 20.0, 50.0 })
