@@ -1,6 +1,6 @@
 #include "tools/bag_scan.h"
 
-#include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include <rosbag/bag.h>
@@ -101,6 +101,8 @@ public:
     return std::move(result_);
   }
 
+  void takeInfo(const sensor_msgs::CameraInfo& info) { chain_.addCameraInfo(info); }
+
   /// Why frames were refused, the first time each; empty = nothing to say.
   std::string takeProblem() { return chain_.takeProblem(); }
 
@@ -120,12 +122,6 @@ private:
     ScanBuilder::Sinks sinks;
     sinks.on_scan = [this](Scan&& scan) { result_.scans.push_back(std::move(scan)); };
     return sinks;
-  }
-
-  void takeInfo(const sensor_msgs::CameraInfo& info)
-  {
-    info_ = info;
-    chain_.addCameraInfo(info);
   }
 
   void takeImage(const sensor_msgs::Image& image)
@@ -175,7 +171,6 @@ private:
   ScanChain chain_;
   Workspace workspace_;
   Stripe stripe_;
-  sensor_msgs::CameraInfo info_;
   std::uint32_t last_seq_ = 0;
   bool joint_found_ = false;
   std::set<std::string> joints_;
@@ -198,18 +193,25 @@ std::string chooseJointTopic(const BagScanParams& params, const std::set<std::st
 
 void open(rosbag::Bag& bag, const std::string& path)
 {
+  if (!std::filesystem::exists(path))
+    throw InputError(path + ": no such bag, check the path");
   try
   {
     bag.open(path, rosbag::bagmode::Read);
   }
-  catch (const rosbag::BagUnindexedException&)
-  {
-    throw InputError(path + ": the bag is truncated or was not closed, run `rosbag reindex` on it");
-  }
   catch (const rosbag::BagException& error)
   {
-    throw InputError(path + ": cannot be read as a bag (" + error.what() + "), check the path");
+    throw InputError(path + ": no bag, or one that is truncated or was not closed (" + error.what() +
+                     "): run `rosbag reindex` on it");
   }
+}
+
+/// The first message of a topic, null when there is none.
+boost::shared_ptr<sensor_msgs::CameraInfo> firstInfo(const rosbag::Bag& bag, const std::string& topic)
+{
+  for (const rosbag::MessageInstance& message : rosbag::View(bag, rosbag::TopicQuery(topic)))
+    return message.instantiate<sensor_msgs::CameraInfo>();
+  return nullptr;
 }
 }  // namespace
 
@@ -225,6 +227,9 @@ BagScanResult scanBag(const BagScanParams& params)
                                             "/tf_static" };
   try
   {
+    // an image may lie before its camera_info in the bag
+    if (const auto info = firstInfo(bag, name_space + "camera_info"))
+      reader.takeInfo(*info);
     rosbag::View view(bag, rosbag::TopicQuery(wanted));
     Progress progress("scanning", view.size());
     std::set<std::string> said;

@@ -18,7 +18,7 @@ struct StripeParams
   int roi_height = 0;                       ///< [px], 0 = to the image's edge
   double min_stripe_width_px = 0.5;         ///< narrowest stripe accepted, 1-sigma half width [px]
   double max_stripe_width_px = 12.0;        ///< widest stripe accepted, 1-sigma half width [px]
-  double min_peak_counts = 10.0;            ///< weakest peak accepted, above background [DN8], 1..255
+  double min_peak_counts = 6.0;             ///< weakest peak accepted, above background [DN8], 1..255
   double saturation_level = 0.0;            ///< grey level at which pixels clip; 0 = the container's largest value
   int median_size_px = 3;         ///< median filter used to detect, and by `literal` to estimate: 0 = off, 3, 5
   double hessian_sigma_px = 0.0;  ///< Gaussian of the derivatives, 0.5..20 [px]; 0 = 1.155 times the stripe's width
