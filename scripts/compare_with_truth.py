@@ -89,7 +89,7 @@ def _nearest(sorted_values, values):
 
 
 def compare(scan, truth, px_equivalent):
-    """The figures, in metres and shares."""
+    """The figures, in metres and shares. Missing counts over all frames of the truth, rows or not."""
     lines = join(scan, truth)
     rows = np.flatnonzero(lines >= 0)
     cells = min(scan.shape[1], truth.cells)
@@ -99,21 +99,28 @@ def compare(scan, truth, px_equivalent):
     judged = measured & visible
     if not judged.any():
         raise ScanFileError("no measured point lies in a visible cell: are scan and truth of one run?")
-    dz = part["z"].astype(float)[judged] - truth.z[line, :cells][judged]
-    dx = part["x"].astype(float)[judged] - truth.x[line, :cells][judged]
-    dy = part["y"].astype(float)[judged] - truth.y[line, :cells][judged]
+    error = {axis: part[axis].astype(float) - getattr(truth, axis)[line, :cells] for axis in "xyz"}
+    unseen = measured & ~visible  # measured where the truth says that nothing can be seen
+    beyond = np.abs(error["z"]) > px_equivalent
     return {
         "frames_of_truth": int(truth.frame.size),
+        "frames_missing": int(truth.frame.size - np.unique(line).size),
         "rows": int(scan.shape[0]),
         "rows_compared": int(rows.size),
         "points_compared": int(judged.sum()),
-        "rms_z": float(np.sqrt(np.mean(dz ** 2))),
-        "mean_z": float(dz.mean()),
-        "share_beyond": float(np.mean(np.abs(dz) > px_equivalent)),
-        "share_missing": float(1.0 - judged.sum() / max(visible.sum(), 1)),
-        "rms_x": float(np.sqrt(np.mean(dx ** 2))),
-        "rms_y": float(np.sqrt(np.mean(dy ** 2))),
+        "rms_z": _rms(error["z"][judged]),
+        "mean_z": float(error["z"][judged].mean()),
+        "share_beyond": float(np.mean(beyond[judged])),
+        "share_missing": float(1.0 - judged.sum() / max(truth.visible.sum(), 1)),
+        "rms_x": _rms(error["x"][judged]),
+        "rms_y": _rms(error["y"][judged]),
+        "points_unseen": int(unseen.sum()),
+        "points_unseen_beyond": int((unseen & ~(np.abs(error["z"]) <= px_equivalent)).sum()),
     }
+
+
+def _rms(values):
+    return float(np.sqrt(np.mean(values ** 2)))
 
 
 def report(figures, px_equivalent):
@@ -126,7 +133,10 @@ def report(figures, px_equivalent):
     yield "RMS z                %.2f um = %.3f px-eq" % (um * figures["rms_z"], px * figures["rms_z"])
     yield "mean z               %+.2f um = %+.3f px-eq" % (um * figures["mean_z"], px * figures["mean_z"])
     yield "beyond 1 px-eq       %.3f %%" % (100.0 * figures["share_beyond"])
-    yield "visible cells missing %.3f %%" % (100.0 * figures["share_missing"])
+    yield "visible cells missing %.3f %%, frames without a row %d" % (
+        100.0 * figures["share_missing"], figures["frames_missing"])
+    yield "measured where nothing is visible: %d points, %d of them beyond 1 px-eq or without truth" % (
+        figures["points_unseen"], figures["points_unseen_beyond"])
     yield "RMS x                %.2f um" % (um * figures["rms_x"])
     yield "RMS y                %.2f um" % (um * figures["rms_y"])
 
@@ -140,6 +150,10 @@ def within_limits(figures, px_equivalent):
         ("share of visible cells missing", figures["share_missing"], 0.02, ""),
         ("RMS x", 1e6 * figures["rms_x"], 5.0, "um"),
         ("RMS y", 1e6 * figures["rms_y"], 5.0, "um"),
+        # rows and frames are joined by their times, the first by the stages: unambiguous only while hardly one is missing
+        ("share of frames without a row", figures["frames_missing"] / figures["frames_of_truth"], 0.02, ""),
+        ("share of points where nothing is visible and the height is wrong",
+         figures["points_unseen_beyond"] / figures["points_compared"], 0.002, ""),
         ("share of rows without a frame", 1.0 - figures["rows_compared"] / figures["rows"], 0.02, ""),
     )
     for name, value, limit, unit in limits:

@@ -1,64 +1,19 @@
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <sensor_msgs/PointCloud2.h>
-#include <std_srvs/Trigger.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "support/chain_under_test.h"
 #include "support/collector.h"
-#include "support/diagnostics_reader.h"
-#include "support/in_process_manager.h"
-#include "support/rig_feed.h"
-#include "support/small_scene.h"
-#include "support/temporary_folder.h"
-#include "weld_profiler/SaveScan.h"
 #include "weld_profiler/StripeProfile.h"
-#include "weld_profiler/geometry/calibration_file.h"
 
 namespace weld_profiler
 {
 namespace
 {
-/// Both nodelets of the chain, fed by the test.
-class Chain
-{
-public:
-  Chain(const std::string& name, int frames)
-    : manager(name),
-      feed(name, smallScene(frames)),
-      triangulation(name + "/triangulation"),
-      stripe(name + "/stripe_centre")
-  {
-    saveCalibration(feed.scan().calibration(), folder.file("calibration.yaml"));
-    manager.set("triangulation", "calibration", folder.file("calibration.yaml"));
-  }
-
-  void load()
-  {
-    ASSERT_TRUE(manager.load("stripe_centre"));
-    ASSERT_TRUE(manager.load("triangulation"));
-    ASSERT_TRUE(waitFor([this] { return feed.connected(); }));
-  }
-
-  template <class Service>
-  typename Service::Response call(const std::string& name, const typename Service::Request& request = {})
-  {
-    typename Service::Request copy = request;
-    typename Service::Response response;
-    EXPECT_TRUE(ros::service::call(manager.topic(name), copy, response)) << name;
-    return response;
-  }
-
-  TemporaryFolder folder;
-  InProcessManager manager;
-  RigFeed feed;
-  DiagnosticsReader triangulation;
-  DiagnosticsReader stripe;
-};
-
 TEST(Nodelets, EachUnloadsInLessThanASecondAndLoadsAgain)
 {
   Chain chain("/reload", 3);
@@ -78,6 +33,28 @@ TEST(Nodelets, EachUnloadsInLessThanASecondAndLoadsAgain)
     }
   }
   EXPECT_TRUE(chain.manager.loaded().empty());
+}
+
+TEST(Nodelets, AChainWorksAgainAfterItsNodeletsWereReloadedInMidScan)
+{
+  Chain chain("/reload_in_scan", 12);
+  chain.load();
+  const Collector<StripeProfile> stripes(chain.manager.topic("stripe"));
+  const Collector<sensor_msgs::PointCloud2> profiles(chain.manager.topic("profile_points"));
+  for (int frame = 0; frame < 4; ++frame)
+    chain.feed.publishFrame(frame);
+  for (const std::string name : { "stripe_centre", "triangulation" })
+  {
+    ASSERT_TRUE(chain.manager.unload(name)) << "with frames under way";
+    ASSERT_TRUE(chain.manager.load(name));
+  }
+  ASSERT_TRUE(
+      waitFor([&] { return chain.feed.connected() && stripes.publishers() == 1 && profiles.publishers() == 1; }));
+  const std::size_t before = profiles.size();
+  for (int frame = 4; frame < 12; ++frame)
+    chain.feed.publishFrame(frame);
+  EXPECT_TRUE(waitFor([&] { return profiles.size() >= before + 8; }));
+  EXPECT_GT(profiles.all().back()->width, 1000U);
 }
 
 TEST(Nodelets, RefuseToLoadWithABadConfigurationAndTheManagerLivesOn)
@@ -114,87 +91,6 @@ TEST(Nodelets, RefuseToLoadWithABadConfigurationAndTheManagerLivesOn)
   EXPECT_FALSE(manager.load("camera")) << "no images";
   manager.set("simulated_rig", "scene", "surrealistic");
   EXPECT_FALSE(manager.load("simulated_rig"));
-}
-
-TEST(Nodelets, ScanOnRequestSaveItAndSayNoWhenThereIsNothing)
-{
-  Chain chain("/services", 12);
-  chain.manager.set("triangulation", "auto_start", false);
-  chain.load();
-  const Collector<sensor_msgs::PointCloud2> scans(chain.manager.topic("scan_points"));
-  const Collector<sensor_msgs::PointCloud2> profiles(chain.manager.topic("profile_points"));
-  SaveScan::Request save;
-  save.path = chain.folder.file("scan.pcd");
-  EXPECT_FALSE(chain.call<SaveScan>("save_scan", save).success) << "there is no scan yet";
-  EXPECT_FALSE(chain.call<std_srvs::Trigger>("stop_scan").success);
-
-  chain.feed.publishFrame(0);
-  ASSERT_TRUE(waitFor([&] { return profiles.size() == 1; })) << "live profiles before a scan";
-  ASSERT_TRUE(chain.call<std_srvs::Trigger>("start_scan").success);
-  for (int frame = 1; frame < 12; ++frame)
-    chain.feed.publishFrame(frame);
-  ASSERT_TRUE(waitFor([&] { return profiles.size() == 12; }));
-  ASSERT_TRUE(chain.call<std_srvs::Trigger>("stop_scan").success);
-  ASSERT_TRUE(waitFor([&] { return scans.size() > 0 && scans.all().back()->height == 11; }));
-  EXPECT_EQ(scans.all().back()->width, 1440U);
-  EXPECT_EQ(scans.all().back()->point_step, 32U);
-  EXPECT_EQ(scans.all().back()->header.frame_id, "weld_profiler_scan");
-
-  EXPECT_TRUE(chain.call<SaveScan>("save_scan", save).success);
-  EXPECT_GT(std::filesystem::file_size(save.path), 11U * 1440U * 29U);
-  save.format = "dwg";
-  EXPECT_FALSE(chain.call<SaveScan>("save_scan", save).success);
-  save.path = chain.folder.file("no/such/folder/scan.ply");
-  save.format = "ply";
-  EXPECT_FALSE(chain.call<SaveScan>("save_scan", save).success);
-}
-
-TEST(Nodelets, TheBalanceOfFramesClosesExactlyUnderOverload)
-{
-  Chain chain("/overload", 4);
-  chain.manager.set("stripe_centre", "method", "steger");
-  chain.manager.set("stripe_centre", "queue_size", 2);
-  chain.load();
-  const Collector<StripeProfile> stripes(chain.manager.topic("stripe"));
-  std::vector<sensor_msgs::ImagePtr> prepared;
-  for (int i = 0; i < 4; ++i)
-    prepared.push_back(chain.feed.image(i));
-  constexpr std::uint32_t kFrames = 400;
-  const Stamp begin = chain.feed.scan().stamp(0);
-  chain.feed.publishSample(begin - 1000, 0.0);
-  for (std::uint32_t i = 0; i < kFrames; ++i)
-  {
-    auto image = boost::make_shared<sensor_msgs::Image>(*prepared[i % 4]);
-    const Stamp stamp = begin + fromSeconds(0.001 * i);
-    image->header.seq = i + 1;
-    image->header.stamp = toRosTime(stamp);
-    chain.feed.publish(image);
-    chain.feed.publishSample(stamp + 1000, 1e-5 * (i + 1));
-  }
-  ASSERT_TRUE(
-      waitFor([&] { return chain.stripe.count("frames in") == kFrames && chain.stripe.count("waiting") == 0; }));
-  EXPECT_GT(chain.stripe.count("dropped"), 0U) << "there was no overload";
-  EXPECT_EQ(chain.stripe.count("frames in"), chain.stripe.count("stripes out") + chain.stripe.count("dropped"));
-  EXPECT_EQ(stripes.size(), chain.stripe.count("stripes out"));
-  ASSERT_TRUE(waitFor([&] { return chain.triangulation.count("frames in") == stripes.size(); }));
-  EXPECT_EQ(chain.triangulation.count("frames in"),
-            chain.triangulation.count("rows") + chain.triangulation.count("no stripe") +
-                chain.triangulation.count("skipped") + chain.triangulation.count("unplaced") +
-                chain.triangulation.count("dropped") + chain.triangulation.count("waiting"));
-}
-
-TEST(Nodelets, AFrameWhoseCameraInfoDoesNotFitIsDroppedAndCounted)
-{
-  Chain chain("/mismatch", 3);
-  Calibration other = chain.feed.scan().calibration();
-  other.camera.fx *= 1.001;
-  saveCalibration(other, chain.folder.file("calibration.yaml"));
-  chain.load();
-  for (int frame = 0; frame < 3; ++frame)
-    chain.feed.publishFrame(frame);
-  ASSERT_TRUE(waitFor([&] { return chain.triangulation.count("frames in") == 3; }));
-  EXPECT_EQ(chain.triangulation.count("dropped camera_info"), 3U);
-  EXPECT_EQ(chain.triangulation.count("rows"), 0U);
 }
 
 TEST(Nodelets, AnOperatorTurnsKnobsLiveAndABadSettingChangesNothing)
