@@ -13,6 +13,13 @@ AgeStatistics::AgeStatistics(std::size_t window) : window_(window)
 void AgeStatistics::add(double age, double now)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (now < latest_)  // a looping bag: begin again
+  {
+    ages_.clear();
+    times_.clear();
+    next_ = 0;
+  }
+  latest_ = now;
   if (ages_.size() < window_)
   {
     ages_.push_back(age);

@@ -118,6 +118,11 @@ std::uint32_t binning(std::uint32_t value)
   return std::max<std::uint32_t>(value, 1);
 }
 
+std::uint32_t extent(std::uint32_t roi, std::uint32_t whole)
+{
+  return roi == 0 ? whole : roi;
+}
+
 bool differs(double a, double b)
 {
   return !(std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)));
@@ -146,6 +151,10 @@ std::string cameraInfoMismatch(const sensor_msgs::CameraInfo& info, const Camera
     return say("roi.x_offset", info.roi.x_offset, own.roi.x_offset);
   if (info.roi.y_offset != own.roi.y_offset)
     return say("roi.y_offset", info.roi.y_offset, own.roi.y_offset);
+  if (extent(info.roi.width, info.width) != extent(own.roi.width, own.width))
+    return say("roi.width", extent(info.roi.width, info.width), extent(own.roi.width, own.width));
+  if (extent(info.roi.height, info.height) != extent(own.roi.height, own.height))
+    return say("roi.height", extent(info.roi.height, info.height), extent(own.roi.height, own.height));
   for (const std::size_t i : { 0, 2, 4, 5 })
   {
     if (differs(info.K[i], own.K[i]))

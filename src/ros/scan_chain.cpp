@@ -56,7 +56,7 @@ ScanChain::ScanChain(const ScanChainParams& params, const Calibration& calibrati
 
 void ScanChain::addCameraInfo(const sensor_msgs::CameraInfo& info)
 {
-  if (sameCamera(info, info_))
+  if (info_ && sameCamera(info, *info_))
     return;
   info_ = info;
   if (!params_.use_camera_info)
@@ -79,6 +79,12 @@ void ScanChain::addCameraInfo(const sensor_msgs::CameraInfo& info)
 
 bool ScanChain::fits(const StripeProfile& stripe)
 {
+  if (params_.use_camera_info && !info_)
+  {
+    refuse("camera_info",
+           "there is no camera_info yet and use_camera_info is set: publish it, or use the calibration's");
+    return false;
+  }
   if (!info_problem_.empty())
   {
     refuse("camera_info", info_problem_);

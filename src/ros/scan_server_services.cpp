@@ -5,11 +5,17 @@
 
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/ros/diagnostics.h"
+#include "weld_profiler/ros/messages.h"
 #include "weld_profiler/ros/scan_server.h"
 #include "weld_profiler/scan/export.h"
 
 namespace weld_profiler
 {
+namespace
+{
+constexpr double kEncoderSilent = 1.0;  // an encoder without a sample for longer is reported [s]
+}
+
 bool ScanServer::startScan(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -98,8 +104,12 @@ void ScanServer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status)
     status.mergeSummary(DiagnosticStatus::WARN, joint_messages_ == 0 ? "no joint_states" : "joint not in joint_states");
   else
   {
+    const double silent = (ros::Time::now() - toRosTime(encoder->latestStamp())).toSec();
+    status.addf("encoder age [ms]", "%.1f", 1e3 * silent);
+    if (silent > kEncoderSilent)
+      status.mergeSummaryf(DiagnosticStatus::WARN, "no encoder sample for %.1f s", silent);
     status.addf("encoder position [m]", "%.7f", encoder->latestPosition());
-    status.addf("encoder speed [m/s]", "%.6f", encoder->speed());
+    status.addf("encoder speed [m/s]", "%.6f", silent > kEncoderSilent ? 0.0 : encoder->speed());
   }
 }
 }  // namespace weld_profiler

@@ -58,11 +58,13 @@ void StripeWorker::use(const StripeParams& params)
 void StripeWorker::onImage(const sensor_msgs::ImageConstPtr& image)
 {
   countGap(*image);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);  // before the worker can count it out
+    ++balance_.frames_in;
+  }
   const std::size_t lost = queue_.push(image);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ++balance_.frames_in;
   if (lost > 0)
-    balance_.dropped["queue_full"] += lost;
+    drop("queue_full", lost);
 }
 
 void StripeWorker::onCameraInfo(const sensor_msgs::CameraInfoConstPtr& info)
@@ -80,8 +82,8 @@ void StripeWorker::onScanStarted(const std_msgs::HeaderConstPtr&)
 void StripeWorker::countGap(const sensor_msgs::Image& image)
 {
   const std::uint32_t seq = image.header.seq;
-  if (last_seq_ != 0 && seq > last_seq_ + 1)
-    drop("lost_before_arrival", seq - last_seq_ - 1);
+  if (last_seq_ && seq > *last_seq_ + 1)
+    drop("lost_before_arrival", seq - *last_seq_ - 1);
   last_seq_ = seq;
 }
 

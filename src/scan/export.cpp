@@ -57,8 +57,7 @@ private:
 
 /// PCL reports a full disk by exception, by return value or not at all: what is on the disk decides.
 /// @param marker  ends the file's header.
-/// @return where the data end.
-std::uintmax_t requireData(const AtomicFile& file, const std::string& marker, std::uintmax_t data_bytes)
+void requireData(const AtomicFile& file, const std::string& marker, std::uintmax_t data_bytes)
 {
   std::ifstream stream(file.temporaryPath(), std::ios::binary);
   std::string head(4096, '\0');
@@ -68,16 +67,22 @@ std::uintmax_t requireData(const AtomicFile& file, const std::string& marker, st
   const std::uintmax_t size = std::filesystem::file_size(file.temporaryPath(), error);
   if (found == std::string::npos || error || size < found + marker.size() + data_bytes)
     throw file.failure("the file came out short, is the disk full?");
-  return found + marker.size() + data_bytes;
 }
 
+/// PCL makes the header; its own writer maps the file into memory, where a full disk is a SIGBUS and no error.
 void writePcd(const Scan& scan, const AtomicFile& file)
 {
   const pcl::PCLPointCloud2 cloud = pclCloud(organisedRecords(scan), scan.cells);
-  if (pcl::PCDWriter().writeBinary(file.temporaryPath(), cloud) != 0)
-    throw file.failure("PCL could not write it");
-  // PCL leaves a memory page of zeros behind the data
-  std::filesystem::resize_file(file.temporaryPath(), requireData(file, "DATA binary\n", cloud.data.size()));
+  const std::string header =
+      pcl::PCDWriter().generateHeaderBinary(cloud, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity()) +
+      "DATA binary\n";
+  errno = 0;
+  std::ofstream out(file.temporaryPath(), std::ios::binary | std::ios::trunc);
+  out.write(header.data(), static_cast<std::streamsize>(header.size()));
+  out.write(reinterpret_cast<const char*>(cloud.data.data()), static_cast<std::streamsize>(cloud.data.size()));
+  out.close();
+  if (!out)
+    throw file.failure(errno != 0 ? std::strerror(errno) : "write failed, is the disk full?");
 }
 
 /// What PCL refuses to write: a cloud without a point.

@@ -1,5 +1,6 @@
 #include "weld_profiler/scan/scan_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace weld_profiler
 {
 namespace
 {
+constexpr Stamp kNoStamp = std::numeric_limits<Stamp>::min();
+
 bool inWindow(const CloudPoint& p, const ScanParams& w)
 {
   return p.x >= w.min_x && p.x <= w.max_x && p.y >= w.min_y && p.y <= w.max_y && p.z >= w.min_z && p.z <= w.max_z;
@@ -45,14 +48,14 @@ ScanBuilder::ScanBuilder(const ScanParams& params, std::unique_ptr<PoseSource> p
 void ScanBuilder::addProfile(SensorProfile profile)
 {
   ++balance_.frames_in;
-  if (profile.stamp < last_stamp_)
+  if (last_stamp_ != kNoStamp && last_stamp_ - profile.stamp >= fromSeconds(kClockJump))
   {
     // The images came back before the encoder did: its samples are of the time before, and would place by chance.
     if (last_placed_ && poses_->at(*last_placed_).kind == PoseAnswer::Kind::Placed)
       poses_->reset();
     timeBackwards();
   }
-  last_stamp_ = profile.stamp;
+  last_stamp_ = last_stamp_ == kNoStamp ? profile.stamp : std::max(last_stamp_, profile.stamp);
   waiting_.push_back(std::move(profile));
   poll();
   while (waiting_.size() > static_cast<std::size_t>(params_.max_waiting))
@@ -128,7 +131,7 @@ void ScanBuilder::finish()
 void ScanBuilder::timeBackwards()
 {
   giveUpWaiting(unplaced::kTimeBackwards);
-  last_stamp_ = std::numeric_limits<Stamp>::min();
+  last_stamp_ = kNoStamp;
   last_placed_.reset();
   hand(assembler_.close(ScanEnd::Stopped));
 }
@@ -138,7 +141,7 @@ void ScanBuilder::restart()
   giveUpWaiting(unplaced::kRestarted);
   hand(assembler_.close(ScanEnd::Stopped));
   poses_->beginScan();
-  last_stamp_ = std::numeric_limits<Stamp>::min();
+  last_stamp_ = kNoStamp;
   last_placed_.reset();
   balance_ = FrameBalance{};
 }

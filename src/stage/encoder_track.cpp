@@ -25,7 +25,10 @@ EncoderTrack::EncoderTrack(const EncoderParams& params) : params_(params)
 
 bool EncoderTrack::add(Stamp stamp, double position)
 {
-  const bool backwards = !samples_.empty() && stamp < samples_.back().stamp;
+  const bool late = !samples_.empty() && stamp < samples_.back().stamp;
+  const bool backwards = late && samples_.back().stamp - stamp >= fromSeconds(kClockJump);
+  if (late && !backwards)
+    return true;  // its neighbours bracket as well without it
   if (backwards)
     samples_.clear();
   if (!samples_.empty() && stamp == samples_.back().stamp)

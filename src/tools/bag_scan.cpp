@@ -1,6 +1,7 @@
 #include "tools/bag_scan.h"
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include <rosbag/bag.h>
@@ -104,7 +105,14 @@ public:
   void takeInfo(const sensor_msgs::CameraInfo& info) { chain_.addCameraInfo(info); }
 
   /// Why frames were refused, the first time each; empty = nothing to say.
-  std::string takeProblem() { return chain_.takeProblem(); }
+  std::string takeProblem()
+  {
+    std::string problem = chain_.takeProblem();
+    if (problem.empty())
+      problem.swap(problem_);
+    problem_.clear();
+    return problem;
+  }
 
 private:
   template <class Message>
@@ -126,8 +134,8 @@ private:
 
   void takeImage(const sensor_msgs::Image& image)
   {
-    if (last_seq_ != 0 && image.header.seq > last_seq_ + 1)
-      result_.frame_gaps += image.header.seq - last_seq_ - 1;
+    if (last_seq_ && image.header.seq > *last_seq_ + 1)
+      result_.frame_gaps += image.header.seq - *last_seq_ - 1;
     last_seq_ = image.header.seq;
     StripeProfile profile;
     profile.header = image.header;
@@ -138,9 +146,10 @@ private:
     {
       stage_.process(rawImage(image), workspace_, stripe_);
     }
-    catch (const PreconditionError&)
+    catch (const std::exception& error)
     {
       chain_.builder().countDropped("bad_image");
+      problem_ = error.what();
       return;
     }
     swapStripe(stripe_, profile);
@@ -171,8 +180,9 @@ private:
   ScanChain chain_;
   Workspace workspace_;
   Stripe stripe_;
-  std::uint32_t last_seq_ = 0;
+  std::optional<std::uint32_t> last_seq_;
   bool joint_found_ = false;
+  std::string problem_;
   std::set<std::string> joints_;
 };
 
@@ -238,7 +248,7 @@ BagScanResult scanBag(const BagScanParams& params)
       reader.take(message);
       const std::string problem = reader.takeProblem();
       if (!problem.empty() && said.insert(problem).second)
-        progress.say(problem + "; the frame is dropped");
+        progress.say("scan_bag: " + params.bag + ": " + problem + "; the frame is dropped");
       progress.step();
     }
   }

@@ -79,6 +79,22 @@ StripeParams stripeParams(const Options& options)
                    "; give the two in separate runs with another --out");
 }
 
+/// A file the user gave is never written over.
+void refuseOverwriting(const Options& options)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  for (const std::string& image : options.images)
+  {
+    const fs::path overlay = fs::path(options.out) / fs::path(image).stem().concat(".png");
+    for (const std::string& other : options.images)
+    {
+      if (options.overlay && fs::equivalent(overlay, other, ignored))
+        throw InputError(overlay.string() + ": the overlay would replace this image; give another --out");
+    }
+  }
+}
+
 void refuseEqualStems(const std::vector<std::string>& images)
 {
   std::map<std::string, std::string> seen;
@@ -120,6 +136,7 @@ int extract(const Options& options)
   const StripeStage stage(stripeParams(options));
   requireRange("--overlay-scale", options.overlay_scale, 1, 16);
   refuseEqualStems(options.images);
+  refuseOverwriting(options);
   makeOutputDirectory(options.out);
   bool all_read = true;
   std::size_t centres = 0;

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <iostream>
+#include <regex>
 
 #include "tools/bag_scan.h"
 #include "tools/params_file.h"
@@ -80,6 +81,36 @@ void writeScans(const BagScanResult& result, const std::filesystem::path& direct
   }
 }
 
+/// Clouds of an earlier run that this one does not write: beside its summary they would be taken for its own.
+void removeStaleClouds(std::size_t scans, const std::filesystem::path& directory)
+{
+  const std::regex cloud("scan(_([0-9]+))?\\.(pcd|ply)");
+  std::vector<std::filesystem::path> stale;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+  {
+    std::smatch match;
+    const std::string name = entry.path().filename().string();
+    if (!std::regex_match(name, match, cloud))
+      continue;
+    const std::size_t number = match[2].matched ? std::stoul(match[2].str()) : 1;
+    if (number > scans)
+      stale.push_back(entry.path());
+  }
+  for (const std::filesystem::path& path : stale)
+    std::filesystem::remove(path);
+}
+
+std::size_t pointCount(const BagScanResult& result)
+{
+  std::size_t points = 0;
+  for (const Scan& scan : result.scans)
+  {
+    for (const Profile& row : scan.rows)
+      points += row.points.size();
+  }
+  return points;
+}
+
 void writeSummaryFile(const BagScanResult& result, const std::filesystem::path& directory, StagedOutput& output)
 {
   JsonObject json = summary(result.balance);
@@ -98,6 +129,7 @@ int scan(const Options& options)
   writeScans(result, options.out, output);
   writeSummaryFile(result, options.out, output);
   output.commit();
+  removeStaleClouds(result.scans.size(), options.out);
   const FrameBalance& balance = result.balance;
   const std::uint64_t lost = balance.droppedTotal() + balance.unplacedTotal();
   std::cerr << "scan_bag: " << balance.frames_in << " frames: " << balance.rows << " rows, " << balance.no_stripe

@@ -92,6 +92,8 @@ TEST(Messages, CameraInfoThatDiffersIsNamed)
   EXPECT_NE(mismatch([](Info& i) { i.K[2] = std::nan(""); }).find("K[2]"), std::string::npos);
   EXPECT_NE(mismatch([](Info& i) { i.binning_x = 2; }).find("binning"), std::string::npos);
   EXPECT_EQ(mismatch([](Info& i) { i.binning_x = 0; }), "") << "0 is not binned, as 1 is";
+  EXPECT_NE(mismatch([](Info& i) { i.roi.width = 700; }).find("roi.width is 700"), std::string::npos);
+  EXPECT_EQ(mismatch([](Info& i) { i.roi.height = 1080; }), "") << "the whole sensor by its size";
   EXPECT_NE(mismatch([](Info& i) { i.roi.y_offset = 12; }).find("roi.y_offset"), std::string::npos);
 }
 

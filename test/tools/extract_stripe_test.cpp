@@ -38,6 +38,15 @@ std::vector<Row> rowsOf(const std::string& csv)
   return rows;
 }
 
+TEST_F(ExtractStripe, NeverWritesAnOverlayOverTheImageItself)
+{
+  const std::string before = text("a.png");
+  const CommandResult result = extract("--overlay --out . a.png");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(result.says("a.png")) << result.errors;
+  EXPECT_EQ(text("a.png"), before);
+}
+
 TEST_F(ExtractStripe, WritesOneCentreAColumn)
 {
   writeStripeImage(path("flat.png"), 100.3);

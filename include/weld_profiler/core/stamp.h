@@ -10,6 +10,9 @@ using Stamp = std::int64_t;
 
 constexpr double kNanosecondsPerSecond = 1e9;
 
+/// A stamp that lies back by less than this came late on its way; by more, time jumped (a looping bag) [s].
+constexpr double kClockJump = 0.5;
+
 inline double toSeconds(Stamp duration)
 {
   return static_cast<double>(duration) / kNanosecondsPerSecond;

@@ -50,7 +50,7 @@ public:
       return;
     for (const auto& entry : map_)
     {
-      const std::string key = entry.first.as<std::string>();
+      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "(not a name)";
       if (known_.count(key) != 0)
         continue;
       std::string list;

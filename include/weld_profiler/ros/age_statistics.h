@@ -29,6 +29,7 @@ private:
   mutable std::mutex mutex_;
   std::size_t window_;
   std::size_t next_ = 0;
+  double latest_ = 0.0;
   std::vector<double> ages_;
   std::vector<double> times_;
 };

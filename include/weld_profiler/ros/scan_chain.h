@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <sensor_msgs/CameraInfo.h>
@@ -83,7 +84,7 @@ private:
   EncoderPoseSource* encoder_ = nullptr;  // owned by builder_
   TfPoseSource* transforms_ = nullptr;    // owned by builder_
   std::unique_ptr<ScanBuilder> builder_;
-  sensor_msgs::CameraInfo info_;
+  std::optional<sensor_msgs::CameraInfo> info_;
   std::string info_problem_;
   Stripe stripe_;
   std::string problem_;

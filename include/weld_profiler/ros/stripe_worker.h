@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -90,7 +91,7 @@ private:
   Workspace workspace_;
   Stripe stripe_;
   std::string method_;
-  std::uint32_t last_seq_ = 0;
+  std::optional<std::uint32_t> last_seq_;
   std::uint32_t out_seq_ = 0;
   AgeStatistics age_;
   std::thread thread_;

@@ -26,7 +26,8 @@ struct EncoderParams
 };
 
 /// Encoder samples and the stage position between them: linear, never extrapolated. Not thread safe.
-/// Time running backwards (a looping bag) forgets all earlier samples. A NaN sample is kept as a hole: what it would
+/// Time running backwards by kClockJump or more (a looping bag) forgets all earlier samples; a sample that lies back by
+/// less came late and is left out. A NaN sample is kept as a hole: what it would
 /// bracket is not placed (`encoder_not_finite`). Two samples of one stamp: the later replaces the earlier. A stamp at
 /// which there is a sample is placed there, however far its neighbours are.
 class EncoderTrack

@@ -29,6 +29,6 @@ public:
   virtual ~PoseSource() = default;
   virtual PoseAnswer at(Stamp stamp) = 0;
   virtual void beginScan() {}  ///< a new scan begins: what was added up (path length) starts at 0, samples stay
-  virtual void reset() = 0;  ///< forgets all samples
+  virtual void reset() = 0;    ///< forgets all samples
 };
 }  // namespace weld_profiler
