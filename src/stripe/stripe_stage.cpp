@@ -76,8 +76,9 @@ void StripeStage::process(const RawImage& image, Workspace& workspace, Stripe& s
   const ChannelView channel = selectChannel(image, region, params_.channel, scratch.channel);
   stripe.clear();
   stripe.status = StripeStatus::NoStripe;
+  stripe.direction = params_.direction == "v" ? Direction::AlongV : Direction::AlongU;
   workspace.initial.clear();
-  if (channel.view.empty())  // a region of one pixel without a photosite of that colour
+  if (channel.view.empty())  // a region one pixel wide or high, without a photosite of that colour
     return;
 
   if (params_.direction != "auto")
