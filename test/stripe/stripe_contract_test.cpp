@@ -200,6 +200,30 @@ TEST_P(StripeContract, FlagsSaturatedCentresAndKeepsThemWithinAFifthOfAPixel)
   }
 }
 
+TEST_P(StripeContract, TellsNormalsBetweenMinusAndPlusAQuarterTurn)
+{
+  const double quarter_turn = 0.5 * std::acos(-1.0);
+  std::size_t count = 0;
+  for (const double degrees : { -1e-6, 0.0, 1e-6, 20.0 })
+    for (const char* direction : { "u", "v" })
+    {
+      StripePicture scene = straight(degrees, 30.0);
+      scene.width = 120;
+      scene.height = 90;
+      // A break: interpolated centres keep the same promise.
+      scene.gain = [](double u) { return u > 50.0 && u < 58.0 ? 0.0 : 1.0; };
+      const Picture picture = render(scene);
+      const Stripe stripe = extract(params(direction), *direction == 'u' ? picture : transposed(picture));
+      count += stripe.size();
+      for (const float angle : stripe.normal_angle)
+      {
+        EXPECT_GT(static_cast<double>(angle), -quarter_turn) << degrees << " deg along " << direction;
+        EXPECT_LE(static_cast<double>(angle), quarter_turn) << degrees << " deg along " << direction;
+      }
+    }
+  EXPECT_GT(count, 700U);
+}
+
 TEST_P(StripeContract, RespectsWidthAndContrastLimits)
 {
   const Picture picture = render(beadScene());
