@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "normal_angle.h"
+
 namespace weld_profiler
 {
 namespace
@@ -12,7 +14,6 @@ constexpr std::size_t kBlock = 64;
 constexpr std::size_t kLeastDifferences = 8;
 constexpr double kMedianPerSigma = 0.6745;
 const double kThirdDifference = std::sqrt(20.0);  ///< sigma of v[0] - 3 v[1] + 3 v[2] - v[3] in that of v
-const double kPi = std::acos(-1.0);
 
 /// Row at which the line would cross the middle of the centre's own column.
 double rowInCell(const Centre& centre)
@@ -48,14 +49,10 @@ double slopeAround(const std::vector<Centre>& centres, std::size_t middle)
   return uu > 0.0 ? uv / uu : 0.0;
 }
 
-/// In (-pi/2, pi/2].
-double normalAngle(const Centre& centre)
+float normalAngleOf(const Centre& centre)
 {
   const bool own = centre.normal_u != 0.0 || centre.normal_v != 0.0;
-  const double angle = own ? std::atan2(centre.normal_v, centre.normal_u) : std::atan2(1.0, -centre.slope);
-  if (angle > 0.5 * kPi)
-    return angle - kPi;
-  return angle <= -0.5 * kPi ? angle + kPi : angle;
+  return normalAngle(own ? std::atan2(centre.normal_v, centre.normal_u) : std::atan2(1.0, -centre.slope));
 }
 }  // namespace
 
@@ -107,7 +104,7 @@ void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter,
     point.cell = static_cast<std::uint16_t>(centre.cell);
     point.u = static_cast<float>(centre.u);
     point.v = static_cast<float>(centre.v);
-    point.normal_angle = static_cast<float>(normalAngle(centre));
+    point.normal_angle = normalAngleOf(centre);
     point.intensity = static_cast<float>(centre.amplitude);
     point.width = static_cast<float>(centre.sigma_column * cosine);
     point.sigma = static_cast<float>(cosine * std::hypot(centre.read_sigma, scatter[i]));

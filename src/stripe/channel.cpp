@@ -4,7 +4,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "encoding.h"
-#include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
 {
@@ -141,6 +140,12 @@ ChannelView colourView(const RawImage& image, const Encoding& encoding, const Re
   return result;
 }
 
+/// How many values a pitch of 2 gives in `pixels`, if each needs `reach` of them.
+int valuesIn(int pixels, int reach)
+{
+  return pixels < reach ? 0 : (pixels - reach) / 2 + 1;
+}
+
 /// The photosites of one colour; of green the mean of the two in a block.
 ChannelView photosites(const RawImage& image, const Encoding& encoding, const Region& region,
                        const std::string& channel, ChannelMemory& memory)
@@ -158,8 +163,8 @@ ChannelView photosites(const RawImage& image, const Encoding& encoding, const Re
   result.cell_v = first_v;
   result.u = first_u + (green ? 0.5 : 0.0);
   result.v = first_v + (green ? 0.5 : 0.0);
-  const int width = std::max(0, (region.x + region.width - first_u - reach) / 2 + 1);
-  const int height = std::max(0, (region.y + region.height - first_v - reach) / 2 + 1);
+  const int width = valuesIn(region.x + region.width - first_u, reach);
+  const int height = valuesIn(region.y + region.height - first_v, reach);
   result.view = packed(width, height, encoding.bits, memory.plane);
   // In a block with red on the main diagonal green lies on the other.
   const int green_u = site == 0 || site == 3 ? 1 : 0;
@@ -215,21 +220,22 @@ ChannelView interpolated(const RawImage& image, const Encoding& encoding, const 
   colour.encoding = encoding.bits == 8 ? "bgr8" : "bgr16";
   colour.big_endian = hostIsBigEndian();
   const Region whole{ 0, 0, region.width, region.height };
-  ChannelView view = colourView(colour, findEncoding(colour.encoding), whole, channel, memory);
-  const ImageView plane = view.view;
-  view = at(region);
-  view.view = plane;
+  ChannelView view = at(asked);
+  view.view = colourView(colour, findEncoding(colour.encoding), whole, channel, memory).view;
+  view.view.data += static_cast<std::size_t>(asked.y - region.y) * view.view.step +
+                    static_cast<std::size_t>(asked.x - region.x) * bytes;
+  view.view.width = asked.width;
+  view.view.height = asked.height;
   return view;
 }
+
 }  // namespace
 
 ChannelView selectChannel(const RawImage& image, const Region& region, const std::string& channel,
                           ChannelMemory& memory)
 {
   const Encoding& encoding = findEncoding(image.encoding);
-  if (image.step < static_cast<std::size_t>(image.width) * static_cast<std::size_t>(encoding.bytesPerPixel()))
-    throw PreconditionError("image step is " + std::to_string(image.step) + ", too short for " +
-                            std::to_string(image.width) + " columns of " + image.encoding);
+  checkStep(image, encoding);
   switch (encoding.kind)
   {
     case Encoding::Kind::Colour:

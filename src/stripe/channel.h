@@ -37,7 +37,7 @@ struct ChannelMemory
 /// every 2nd row; `green` the mean of the two of a 2x2 block, which lies in its middle; `max` and `luminance` are
 /// interpolated at every pixel, and therefore modulated by the mosaic under a one-coloured stripe: a poor choice for a
 /// laser.
-/// @throws PreconditionError for an unknown encoding or an image whose size and step don't agree.
+/// @throws PreconditionError for an unknown encoding or a step too short for its columns or not of whole samples.
 ChannelView selectChannel(const RawImage& image, const Region& region, const std::string& channel,
                           ChannelMemory& memory);
 }  // namespace weld_profiler

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "normal_angle.h"
+
 namespace weld_profiler
 {
 void transpose(const ImageView& image, std::vector<std::uint8_t>& memory, ImageView& transposed)
@@ -24,13 +26,9 @@ void transpose(Stripe& stripe)
 {
   stripe.direction = stripe.direction == Direction::AlongU ? Direction::AlongV : Direction::AlongU;
   stripe.u.swap(stripe.v);
-  const float half_turn = static_cast<float>(std::acos(-1.0));
+  const double quarter_turn = 0.5 * std::acos(-1.0);
   for (float& angle : stripe.normal_angle)
-  {
-    angle = 0.5F * half_turn - angle;  // (cos a, sin a) becomes (sin a, cos a)
-    if (angle > 0.5F * half_turn)
-      angle -= half_turn;
-  }
+    angle = normalAngle(quarter_turn - angle);  // (cos a, sin a) becomes (sin a, cos a)
 }
 
 double lengthAlong(const Stripe& stripe)

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "weld_profiler/core/image.h"
+
 namespace weld_profiler
 {
 /// How the pixels of one ROS encoding lie in memory.
@@ -25,4 +27,7 @@ struct Encoding
 
 /// @throws PreconditionError for a name that is not known, listing those that are.
 const Encoding& findEncoding(const std::string& name);
+
+/// @throws PreconditionError for a step too short for the image's columns or not of whole samples.
+void checkStep(const RawImage& image, const Encoding& encoding);
 }  // namespace weld_profiler

@@ -6,6 +6,7 @@
 
 #include "least_squares_cubic.h"
 #include "natural_spline.h"
+#include "normal_angle.h"
 #include "robust_line.h"
 
 namespace weld_profiler
@@ -86,7 +87,7 @@ public:
     point.cell = static_cast<std::uint16_t>(cell);
     point.u = static_cast<float>(along_u_ ? cell : across);
     point.v = static_cast<float>(along_u_ ? across : cell);
-    point.normal_angle = normalAngle(slope);
+    point.normal_angle = normalAngle(along_u_ ? std::atan2(1.0, -slope) : std::atan2(-slope, 1.0));
     point.intensity = (1.0F - share) * left.intensity + share * right.intensity;
     point.width = (1.0F - share) * left.width + share * right.width;
     point.sigma = static_cast<float>(std::hypot(sigma_ * (1.0 + curve_.sigmaGain(cell)), unseen) /
@@ -184,13 +185,6 @@ private:
     if (rising)
       interpolation_.fit(x, y, count);
     return rising;
-  }
-
-  float normalAngle(double slope) const
-  {
-    const double half_turn = std::acos(-1.0);
-    const double angle = along_u_ ? std::atan2(1.0, -slope) : std::atan2(-slope, 1.0);
-    return static_cast<float>(angle > 0.5 * half_turn ? angle - half_turn : angle);
   }
 
   const Stripe& stripe_;

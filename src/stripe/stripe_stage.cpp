@@ -13,7 +13,9 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr int kLargestImage = 65535;  ///< a cell is 16 bit
+constexpr int kLargestImage = 65535;     ///< a cell is 16 bit
+constexpr double kDecidingShare = 0.25;  ///< of the cells that a stripe must fill to decide the direction
+constexpr double kDecidingRatio = 2.0;   ///< by which it must be longer than what the other direction shows
 
 /// Lengths that are told in pixels of the image, in pixels of a grid twice as coarse.
 StripeParams halved(StripeParams params)
@@ -76,8 +78,9 @@ void StripeStage::process(const RawImage& image, Workspace& workspace, Stripe& s
   const ChannelView channel = selectChannel(image, region, params_.channel, scratch.channel);
   stripe.clear();
   stripe.status = StripeStatus::NoStripe;
+  stripe.direction = params_.direction == "v" ? Direction::AlongV : Direction::AlongU;
   workspace.initial.clear();
-  if (channel.view.empty())  // a region of one pixel without a photosite of that colour
+  if (channel.view.empty())  // a region one pixel wide or high, without a photosite of that colour
     return;
 
   if (params_.direction != "auto")
@@ -118,7 +121,8 @@ void StripeStage::extractAlong(Direction direction, const ImageView& view, int p
     point = InitialPoint{ point.block_v, point.block_u, point.v, point.u };
 }
 
-/// Extracts both ways, keeps the one that shows more line, and remembers which it was.
+/// Extracts both ways and keeps the one that shows more line. Which it was is remembered only if it is beyond doubt: a
+/// speck in the first frame must not decide for all that follow.
 void StripeStage::extractAnyDirection(const ImageView& view, int pitch, Workspace& workspace, Stripe& stripe) const
 {
   Workspace::Scratch& scratch = workspace.scratch();
@@ -129,7 +133,9 @@ void StripeStage::extractAnyDirection(const ImageView& view, int pitch, Workspac
     std::swap(stripe, scratch.other);
   else
     scratch.other_initial.swap(workspace.initial);
-  if (!stripe.empty())
+  const int cells = stripe.direction == Direction::AlongU ? view.width : view.height;
+  const bool long_enough = static_cast<double>(stripe.size()) >= kDecidingShare * cells;
+  if (long_enough && lengthAlong(stripe) >= kDecidingRatio * lengthAlong(scratch.other))
     workspace.direction = stripe.direction;
 }
 }  // namespace weld_profiler

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "stripe/encoding.h"
-#include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
 {
@@ -174,37 +173,37 @@ TEST(Channel, OfABayerImageMayBeInterpolatedAtEveryPixel)
   }
 }
 
-TEST(Channel, RefusesAnUnknownEncodingAndListsTheKnown)
+TEST(Channel, HasNoPhotositesInARegionTooNarrowForThem)
 {
-  std::vector<std::uint8_t> bytes(100);
-  RawImage image;
-  image.data = bytes.data();
-  image.width = image.height = 5;
-  image.step = 10;
-  image.encoding = "yuv422";
+  const Samples samples("bayer_rggb8", 12, 10, false, [](int, int) { return 100U; });
   ChannelMemory memory;
-  try
-  {
-    selectChannel(image, Region{ 0, 0, 5, 5 }, "red", memory);
-    FAIL();
-  }
-  catch (const PreconditionError& error)
-  {
-    for (const char* part : { "yuv422", "mono8", "mono16", "bayer_rggb16", "bgra8" })
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(selectChannel(samples.image, Region{ 3, 0, 1, 10 }, "red", memory).view.empty());
+  EXPECT_TRUE(selectChannel(samples.image, Region{ 0, 3, 12, 1 }, "red", memory).view.empty());
+  EXPECT_TRUE(selectChannel(samples.image, Region{ 2, 0, 1, 10 }, "blue", memory).view.empty());
+  EXPECT_TRUE(selectChannel(samples.image, Region{ 2, 0, 1, 10 }, "green", memory).view.empty());
+  EXPECT_EQ(selectChannel(samples.image, Region{ 2, 0, 1, 10 }, "red", memory).view.width, 1);
 }
 
-TEST(Channel, RefusesAStepTooShortForItsColumns)
+TEST(Channel, OfAnInterpolatedBayerImageIsTheRegionAskedForAndNoMore)
 {
-  std::vector<std::uint8_t> bytes(100);
-  RawImage image;
-  image.data = bytes.data();
-  image.width = image.height = 5;
-  image.step = 14;
-  image.encoding = "rgb8";
+  const Samples samples("bayer_rggb16", 12, 10, false, [](int v, int u) { return 1000U + 20U * v + u; });
   ChannelMemory memory;
-  EXPECT_THROW(selectChannel(image, Region{ 0, 0, 5, 5 }, "red", memory), PreconditionError);
+  for (const Region& region : { Region{ 5, 3, 6, 5 }, Region{ 11, 9, 1, 1 }, Region{ 9, 0, 2, 10 } })
+    for (const char* name : { "max", "luminance" })
+    {
+      ChannelMemory whole_memory;
+      const ChannelView whole = selectChannel(samples.image, kWhole, name, whole_memory);
+      const ChannelView channel = selectChannel(samples.image, region, name, memory);
+      ASSERT_EQ(channel.view.width, region.width);
+      ASSERT_EQ(channel.view.height, region.height);
+      EXPECT_EQ(channel.cell_u, region.x);
+      EXPECT_EQ(channel.cell_v, region.y);
+      // Three pixels from the region's own edges both interpolate from the same neighbours.
+      if (region.width > 4)
+      {
+        EXPECT_EQ(pixel(channel, 3, 2), pixel(whole, region.x + 3, region.y + 2)) << name;
+      }
+    }
 }
 }  // namespace
 }  // namespace weld_profiler

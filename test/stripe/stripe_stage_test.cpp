@@ -139,5 +139,43 @@ TEST(StripeStage, TellsASixteenBitCamerasSaturationLevel)
   ASSERT_EQ(stripe.size(), 120U);
   EXPECT_NE(stripe.flags.front() & stripe_flag::kSaturated, 0);
 }
+
+TEST(StripeStage, IsNotToldTheDirectionByASpeck)
+{
+  StripePicture scene = straight(0.0, 60.0);
+  scene.width = 200;
+  scene.height = 120;
+  const Picture stripe_along_u = render(scene);
+  StripePicture upright = straight(0.0, 50.0);  // turned, it stands upright
+  upright.width = 120;
+  upright.height = 200;
+  upright.gain = [](double u) { return u >= 80.0 && u < 95.0 ? 1.0 : 0.0; };
+  const Picture speck = transposed(render(upright));
+  Workspace workspace;
+  Stripe stripe;
+  const StripeStage stage(paramsOf("squared_centroid", "auto"));
+  stage.process(speck.raw(), workspace, stripe);
+  ASSERT_GE(stripe.size(), 10U) << "the better direction serves this frame";
+  EXPECT_EQ(stripe.direction, Direction::AlongV);
+  EXPECT_FALSE(workspace.direction.has_value());
+  stage.process(stripe_along_u.raw(), workspace, stripe);
+  EXPECT_EQ(stripe.size(), 200U);
+  EXPECT_EQ(stripe.direction, Direction::AlongU);
+  ASSERT_TRUE(workspace.direction.has_value());
+  EXPECT_EQ(*workspace.direction, Direction::AlongU);
+  stage.process(speck.raw(), workspace, stripe);
+  EXPECT_EQ(stripe.direction, Direction::AlongU) << "kept";
+}
+
+TEST(StripeStage, KeepsNoDirectionThatIsInDoubt)
+{
+  StripePicture scene = straight(45.0, -20.0);
+  scene.width = scene.height = 200;
+  Workspace workspace;
+  Stripe stripe;
+  StripeStage(paramsOf("squared_centroid", "auto")).process(render(scene).raw(), workspace, stripe);
+  EXPECT_GE(stripe.size(), 150U);
+  EXPECT_FALSE(workspace.direction.has_value());
+}
 }  // namespace
 }  // namespace weld_profiler

@@ -18,11 +18,12 @@ public:
   explicit StripeStage(const StripeParams& params);
 
   /// @param image      mono8, mono16, bayer_*8/16, rgb8/16, bgr8/16, rgba8/16, bgra8/16; raw.
-  /// @param workspace  scratch, one a thread and stream. With direction `auto` it remembers the direction of the first
-  ///                   frame with a stripe until Workspace::reset().
+  /// @param workspace  scratch, one a thread and stream. With direction `auto` every frame is searched both ways, until
+  ///                   one shows a stripe in a quarter of its cells, twice as long as what the other way shows: its
+  ///                   direction is kept until Workspace::reset().
   /// @param stripe     u, v in full-resolution pixels of `image` (a region's offset and the Bayer grid are undone).
-  /// @throws PreconditionError for an empty image, an unknown encoding (naming the known ones) or a region outside the
-  ///         image.
+  /// @throws PreconditionError for an empty image, an unknown encoding (naming the known ones) a step that is too
+  ///         short or not of whole samples, or a region outside the image.
   void process(const RawImage& image, Workspace& workspace, Stripe& stripe) const;
 
   const StripeParams& params() const { return params_; }

@@ -27,7 +27,7 @@ public:
   /// Forgets what was learnt (direction, last stripe); keeps the memory.
   void reset();
 
-  std::optional<Direction> direction;  ///< found by `auto`, kept until reset()
+  std::optional<Direction> direction;  ///< found by `auto` beyond doubt, kept until reset()
   Stripe last;                         ///< last frame's stripe
   bool keep_trace = false;             ///< fill `initial` (the overlay wants it)
   std::vector<InitialPoint>
