@@ -144,7 +144,8 @@ void LineScatter::collect(const std::vector<Centre>& centres, const Differences&
     bool whole = start != kNone;
     for (int k = 0; whole && k <= rule.order; ++k)
     {
-      const int i = at_[static_cast<std::size_t>(cell + k * rule.lag)];
+      const int there = cell + k * rule.lag;
+      const int i = at_[static_cast<std::size_t>(there)];
       whole = i != kNone && piece_[static_cast<std::size_t>(i)] == piece_[static_cast<std::size_t>(start)];
       if (whole)
         sum += rule.weight[static_cast<std::size_t>(k)] * rule.row(centres[static_cast<std::size_t>(i)]);
