@@ -9,17 +9,6 @@ namespace weld_profiler
 namespace
 {
 constexpr int kSlopeCells = 5;
-constexpr std::size_t kLag = 6;  ///< columns between the centres of a difference: beyond kernel and speckle grain
-constexpr std::size_t kBlock = 64;
-constexpr std::size_t kLeastDifferences = 8;
-constexpr double kMedianPerSigma = 0.6745;
-const double kThirdDifference = std::sqrt(20.0);  ///< sigma of v[0] - 3 v[1] + 3 v[2] - v[3] in that of v
-
-/// Row at which the line would cross the middle of the centre's own column.
-double rowInCell(const Centre& centre)
-{
-  return centre.v - centre.slope * (centre.u - centre.cell);
-}
 
 double slopeAround(const std::vector<Centre>& centres, std::size_t middle)
 {
@@ -60,35 +49,6 @@ void measureSlopes(std::vector<Centre>& centres)
 {
   for (std::size_t i = 0; i < centres.size(); ++i)
     centres[i].slope = slopeAround(centres, i);
-}
-
-void LineScatter::measure(const std::vector<Centre>& centres)
-{
-  excess_.assign(centres.size(), 0.0);
-  for (std::size_t begin = 0; begin < centres.size(); begin += kBlock)
-  {
-    const std::size_t end = std::min(centres.size(), begin + kBlock);
-    const std::size_t first = begin < kLag ? 0 : begin - kLag;
-    differences_.clear();
-    for (std::size_t i = first; i + 3 * kLag < std::min(centres.size(), end + 2 * kLag); ++i)
-    {
-      if (centres[i + 3 * kLag].cell - centres[i].cell != static_cast<int>(3 * kLag))
-        continue;
-      differences_.push_back(std::abs(rowInCell(centres[i]) - 3.0 * rowInCell(centres[i + kLag]) +
-                                      3.0 * rowInCell(centres[i + 2 * kLag]) - rowInCell(centres[i + 3 * kLag])));
-    }
-    if (differences_.size() < kLeastDifferences)
-      continue;
-    const auto middle = differences_.begin() + static_cast<std::ptrdiff_t>(differences_.size() / 2);
-    std::nth_element(differences_.begin(), middle, differences_.end());
-    const double sigma = *middle / kMedianPerSigma / kThirdDifference;
-    double read_variance = 0.0;
-    for (std::size_t i = begin; i < end; ++i)
-      read_variance += centres[i].read_sigma * centres[i].read_sigma / static_cast<double>(end - begin);
-    const double excess = std::sqrt(std::max(0.0, sigma * sigma - read_variance));
-    std::fill(excess_.begin() + static_cast<std::ptrdiff_t>(begin), excess_.begin() + static_cast<std::ptrdiff_t>(end),
-              excess);
-  }
 }
 
 void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter, const StripeParams& params,

@@ -34,14 +34,15 @@ const Encoding& findEncoding(const std::string& name)
 
 void checkStep(const RawImage& image, const Encoding& encoding)
 {
-  const std::string told = "image step is " + std::to_string(image.step);
   const auto least = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(encoding.bytesPerPixel());
   if (image.step < least)
-    throw PreconditionError(told + ", too short for " + std::to_string(image.width) + " columns of " + image.encoding +
-                            ", must be at least " + std::to_string(least));
+    throw PreconditionError("image step is " + std::to_string(image.step) + ", must be at least " +
+                            std::to_string(least) + " for " + std::to_string(image.width) + " columns of " +
+                            image.encoding);
   const auto sample = static_cast<std::size_t>(encoding.bits / 8);
   if (image.step % sample != 0)
-    throw PreconditionError(told + ", must be a multiple of the " + std::to_string(sample) + " bytes of a sample of " +
-                            image.encoding + ": pad the rows to whole samples");
+    throw PreconditionError("image step is " + std::to_string(image.step) + ", must be a multiple of the " +
+                            std::to_string(sample) + " bytes of a sample of " + image.encoding +
+                            ": pad the rows to whole samples");
 }
 }  // namespace weld_profiler

@@ -10,6 +10,9 @@ namespace weld_profiler
 {
 namespace
 {
+/// 1-sigma of a result across the stripe: the step, counted twice, misses by as much as the centre lies from the middle
+/// of its pixel block, which is anything within half a pixel (docs/paper.md measures 0.27 to 0.42). [px]
+const double kMiss = 1.0 / std::sqrt(12.0);
 constexpr double kTear = 3.0;  ///< rows from which neighbouring columns are not one piece
 
 /// Eq. 4 over the pixels of a column that lie above the threshold.
@@ -98,6 +101,7 @@ void LiteralReading::refine(const ImageView& filtered, Workspace::Scratch& scrat
       continue;
     centre.u += step.t * normal.u;
     centre.v += step.t * normal.v;
+    centre.read_sigma = kMiss * std::sqrt(1.0 + centre.slope * centre.slope);
     centre.normal_u = normal.u;
     centre.normal_v = normal.v;
     centre.starts_piece = torn;

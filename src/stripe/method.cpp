@@ -44,7 +44,10 @@ void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Wor
   scratch.centroid.measure(image, levels, scratch.statistics, weight(), scratch.seeds, scratch.centres);
   measureSlopes(scratch.centres);
   for (Centre& centre : scratch.centres)
+  {
     centre.initial_v = centre.v;
+    centre.initial_sigma = centre.read_sigma;
+  }
   refine(image, scratch);
   finish(params_, levels, workspace, stripe);
 }
