@@ -84,7 +84,7 @@ void writeScans(const BagScanResult& result, const std::filesystem::path& direct
 /// Clouds of an earlier run that this one does not write: beside its summary they would be taken for its own.
 void removeStaleClouds(std::size_t scans, const std::filesystem::path& directory)
 {
-  const std::regex cloud("scan(_([0-9]+))?\\.(pcd|ply)");
+  const std::regex cloud("scan(_([0-9]{1,6}))?\\.(pcd|ply)");
   std::vector<std::filesystem::path> stale;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
   {
@@ -119,6 +119,27 @@ void writeSummaryFile(const BagScanResult& result, const std::filesystem::path& 
   writeSummary(json, output.file((directory / "summary.json").string()));
 }
 
+/// Says on standard error what became of the bag. @return the exit status.
+int report(const BagScanResult& result, const Options& options)
+{
+  const std::string name = "scan_bag: " + options.bags.front() + ": ";
+  const FrameBalance& balance = result.balance;
+  const std::uint64_t lost = balance.droppedTotal() + balance.unplacedTotal();
+  std::cerr << name << balance.frames_in << " frames: " << balance.rows << " rows, " << balance.no_stripe
+            << " without a stripe, " << balance.skipped << " skipped by the trigger, " << balance.unplacedTotal()
+            << " unplaced, " << balance.droppedTotal() << " dropped\n";
+  if (result.scans.size() > 1)
+    std::cerr << name << result.scans.size()
+              << " scans (the stage turned round, time ran backwards, the width changed, or "
+              << "max_rows): scan.pcd, scan_2.pcd, ...\n";
+  if (balance.rows == 0)
+    std::cerr << name << "no frame became a row, see summary.json for where they went\n";
+  else if (pointCount(result) == 0)
+    std::cerr << name << "every point lies outside the window min_x..max_z, widen it\n";
+  const bool many_lost = static_cast<double>(lost) > options.max_drop * static_cast<double>(balance.frames_in);
+  return pointCount(result) == 0 || many_lost ? kPoorResult : kGood;
+}
+
 int scan(const Options& options)
 {
   requireRange("--max-drop", options.max_drop, 0.0, 1.0);
@@ -130,16 +151,7 @@ int scan(const Options& options)
   writeSummaryFile(result, options.out, output);
   output.commit();
   removeStaleClouds(result.scans.size(), options.out);
-  const FrameBalance& balance = result.balance;
-  const std::uint64_t lost = balance.droppedTotal() + balance.unplacedTotal();
-  std::cerr << "scan_bag: " << balance.frames_in << " frames: " << balance.rows << " rows, " << balance.no_stripe
-            << " without a stripe, " << balance.skipped << " skipped by the trigger, " << balance.unplacedTotal()
-            << " unplaced, " << balance.droppedTotal() << " dropped\n";
-  if (balance.rows == 0)
-    std::cerr << "scan_bag: " << params.bag << ": no frame became a row, see summary.json for where they went\n";
-  const bool poor =
-      balance.rows == 0 || static_cast<double>(lost) > options.max_drop * static_cast<double>(balance.frames_in);
-  return poor ? kPoorResult : kGood;
+  return report(result, options);
 }
 }  // namespace
 }  // namespace weld_profiler

@@ -159,6 +159,54 @@ TEST_F(ScanBag, ImagesThatDoNotFitAreDroppedAndSaidOnce)
   EXPECT_TRUE(result.says("image is 360 x 100")) << result.errors;
 }
 
+TEST_F(ScanBag, AnAllZeroCameraInfoIsRefused)
+{
+  rewrite<sensor_msgs::CameraInfo>("zero.bag",
+                                   [](std::size_t, sensor_msgs::CameraInfo& info)
+                                   {
+                                     const std_msgs::Header header = info.header;
+                                     info = sensor_msgs::CameraInfo();
+                                     info.header = header;
+                                     return true;
+                                   });
+  EXPECT_EQ(scan(kCalibration + "--out scan zero.bag").status, 3);
+  EXPECT_EQ(summary("scan")["dropped"]["camera_info"].as<int>(), 20);
+}
+
+TEST_F(ScanBag, LeavesNoCloudOfAnEarlierRunBesideItsSummary)
+{
+  write("short.yaml", "triangulation: {max_rows: 8}\n");
+  ASSERT_EQ(scan(kCalibration + "--params short.yaml --out scan weld.bag").status, 0);
+  EXPECT_EQ(filesIn("scan").size(), 7u) << "three scans of at most 8 rows";
+  ASSERT_EQ(scan(kCalibration + "--out scan weld.bag").status, 0);
+  EXPECT_EQ(filesIn("scan"), (std::vector<std::string>{ "scan.pcd", "scan.ply", "summary.json" }));
+}
+
+TEST_F(ScanBag, AWindowThatCutsEveryPointIsAPoorResult)
+{
+  write("window.yaml", "triangulation: {min_z: 1.0, max_z: 2.0}\n");
+  const CommandResult result = scan(kCalibration + "--params window.yaml --out scan weld.bag");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_TRUE(result.says("window")) << result.errors;
+}
+
+TEST_F(ScanBag, AnEncoderSampleThatComesLateClosesNoScan)
+{
+  rewrite<sensor_msgs::JointState>("late.bag",
+                                   [](std::size_t index, sensor_msgs::JointState& joints)
+                                   {
+                                     if (index % 50 == 49)
+                                     {
+                                       joints.header.stamp -= ros::Duration(0.0101);
+                                       joints.position[0] -= 0.0101 * 0.005;
+                                     }
+                                     return true;
+                                   });
+  ASSERT_EQ(scan(kCalibration + "--out scan late.bag").status, 0);
+  EXPECT_EQ(summary("scan")["rows"].as<int>(), 20);
+  EXPECT_EQ(summary("scan")["scans"].as<int>(), 1);
+}
+
 TEST_F(ScanBag, ACalibrationOfAnotherCameraIsRefusedFrameByFrame)
 {
   std::string calibration = text("weld.bag.truth/calibration.yaml");
