@@ -32,7 +32,7 @@ TEST(EncoderPoseSource, PassesOnWhyItCannotPlace)
   EncoderPoseSource poses(Calibration{}, EncoderParams{});
   EXPECT_EQ(poses.at(0).kind, PoseAnswer::Kind::Wait);
   EXPECT_EQ(poses.at(0).reason, unplaced::kNoEncoder);
-  EXPECT_TRUE(poses.addSample(100 * kMs, 0.0));
+  EXPECT_TRUE(poses.addSample(1000 * kMs, 0.0));
   EXPECT_EQ(poses.at(0).kind, PoseAnswer::Kind::Never);
   EXPECT_EQ(poses.at(0).reason, unplaced::kBeforeFirstSample);
   EXPECT_FALSE(poses.addSample(50 * kMs, 0.0));

@@ -167,11 +167,11 @@ TEST(ScanBuilder, ClosesTheScanWhenImagesRunBackwards)
 {
   Bench bench(timeTrigger());
   for (int i = 0; i <= 10; ++i)
-    bench.sample(i * 10 * kMs, 0.01 * i);
-  bench.frame(50 * kMs);
-  bench.frame(90 * kMs);
-  bench.frame(120 * kMs);  // waits
-  bench.frame(10 * kMs);   // a looping bag
+    bench.sample((1000 + i * 10) * kMs, 0.01 * i);
+  bench.frame(1050 * kMs);
+  bench.frame(1090 * kMs);
+  bench.frame(1120 * kMs);  // waits
+  bench.frame(10 * kMs);    // a looping bag
   EXPECT_EQ(bench.unplaced("time_backwards"), 1u);
   ASSERT_EQ(bench.scans.size(), 1u);
   EXPECT_EQ(bench.scans[0].rows.size(), 2u);

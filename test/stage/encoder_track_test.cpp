@@ -138,12 +138,23 @@ TEST(EncoderTrack, ForgetsWhatWasBeforeTimeRanBackwards)
   EncoderTrack t = track();
   EXPECT_TRUE(t.add(kStart, 0.1));
   EXPECT_TRUE(t.add(kStart + 10 * kMs, 0.2));
-  EXPECT_FALSE(t.add(kStart + 5 * kMs, 0.7));
+  const Stamp again = kStart - 1000 * kMs;
+  EXPECT_FALSE(t.add(again + 5 * kMs, 0.7));
   EXPECT_EQ(t.size(), 1u);
-  expectNever(t.at(kStart + 2 * kMs), unplaced::kBeforeFirstSample);
-  expectWait(t.at(kStart + 9 * kMs), unplaced::kAfterLastSample);
-  EXPECT_TRUE(t.add(kStart + 15 * kMs, 0.8));
-  expectPlaced(t.at(kStart + 10 * kMs), 0.75);
+  expectNever(t.at(again + 2 * kMs), unplaced::kBeforeFirstSample);
+  expectWait(t.at(again + 9 * kMs), unplaced::kAfterLastSample);
+  EXPECT_TRUE(t.add(again + 15 * kMs, 0.8));
+  expectPlaced(t.at(again + 10 * kMs), 0.75);
+}
+
+TEST(EncoderTrack, LeavesOutASampleThatCameLateOnItsWay)
+{
+  EncoderTrack t = track();
+  EXPECT_TRUE(t.add(kStart, 0.1));
+  EXPECT_TRUE(t.add(kStart + 10 * kMs, 0.2));
+  EXPECT_TRUE(t.add(kStart + 5 * kMs, 0.9)) << "5 ms late is no looping bag";
+  EXPECT_EQ(t.size(), 2u);
+  expectPlaced(t.at(kStart + 5 * kMs), 0.15);
 }
 
 TEST(EncoderTrack, TakesTheLaterOfTwoSamplesOfOneStamp)
