@@ -49,8 +49,8 @@ RawImage rawImage(const sensor_msgs::Image& message)
   std::size_t pixel_bytes = 1;
   try
   {
-    pixel_bytes = static_cast<std::size_t>(sensor_msgs::image_encodings::bitDepth(message.encoding) / 8 *
-                                           sensor_msgs::image_encodings::numChannels(message.encoding));
+    const auto channels = static_cast<std::size_t>(sensor_msgs::image_encodings::numChannels(message.encoding));
+    pixel_bytes = static_cast<std::size_t>(sensor_msgs::image_encodings::bitDepth(message.encoding)) / 8 * channels;
   }
   catch (const std::runtime_error&)
   {

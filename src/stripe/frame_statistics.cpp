@@ -11,7 +11,7 @@ namespace
 constexpr int kColumns = 96;                    ///< that give the histogram: 0.1 ms instead of 1 ms a frame
 constexpr int kNoiseRows = 32;                  ///< rows that give the noise
 constexpr double kQuantisation = 0.29;          ///< 1-sigma of rounding to whole levels of 8 bit: 1 / sqrt(12)
-constexpr float kToNearest = 0.5F;      ///< rounds where std::lround() would double the time
+constexpr float kToNearest = 0.5F;              ///< rounds where std::lround() would double the time
 constexpr double kMedianOfDifference = 0.9539;  ///< median of |a - b| of two normal values, in their sigma
 
 /// Value below which a share of the histogram lies. Bin i holds values from i - 1/2 to i + 1/2, bin 0 those from 0.

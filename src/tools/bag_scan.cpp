@@ -80,7 +80,7 @@ public:
 
   void take(const rosbag::MessageInstance& message)
   {
-    const std::string topic = message.getTopic();
+    const std::string& topic = message.getTopic();
     if (topic == image_topic_)
       takeImage(*instantiate<sensor_msgs::Image>(message));
     else if (topic == info_topic_)
@@ -118,7 +118,7 @@ private:
   template <class Message>
   boost::shared_ptr<Message> instantiate(const rosbag::MessageInstance& message) const
   {
-    const boost::shared_ptr<Message> result = message.instantiate<Message>();
+    boost::shared_ptr<Message> result = message.instantiate<Message>();
     if (!result)
       throw InputError(params_.bag + ": topic " + message.getTopic() + " is a " + message.getDataType() +
                        ", must be a " + ros::message_traits::DataType<Message>::value());

@@ -76,8 +76,8 @@ void writeScans(const BagScanResult& result, const std::filesystem::path& direct
   for (std::size_t i = 0; i < result.scans.size(); ++i)
   {
     const std::string stem = i == 0 ? "scan" : "scan_" + std::to_string(i + 1);
-    for (const std::string format : { "pcd", "ply" })
-      saveScan(result.scans[i], output.file((directory / (stem + "." + format)).string()), format);
+    for (const char* format : { "pcd", "ply" })
+      saveScan(result.scans[i], output.file((directory / stem).string().append(".").append(format)), format);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <set>
+#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -60,7 +61,9 @@ public:
           list += ", ";
         list += name;
       }
-      throw ConfigError(origin_ + ": unknown parameter '" + key + "', must be one of: " + list);
+      std::ostringstream text;
+      text << origin_ << ": unknown parameter '" << key << "', must be one of: " << list;
+      throw ConfigError(text.str());
     }
   }
 
