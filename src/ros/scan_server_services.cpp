@@ -1,5 +1,6 @@
 // What a ScanServer answers: services and diagnostics.
 #include <algorithm>
+#include <filesystem>
 
 #include <std_msgs/Header.h>
 
@@ -66,7 +67,8 @@ bool ScanServer::saveScanFile(SaveScan::Request& request, SaveScan::Response& re
       format = request.path.substr(std::min(request.path.size(), request.path.rfind('.') + 1));
     saveScan(*scan, request.path, format);
     response.success = true;
-    response.message = std::to_string(scan->rows.size()) + " rows in " + request.path;
+    response.message =
+        std::to_string(scan->rows.size()) + " rows in " + std::filesystem::absolute(request.path).string();
   }
   catch (const std::exception& error)
   {
