@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <sstream>
 #include <thread>
@@ -198,7 +199,9 @@ int main(int argc, char** argv)
   spinner.start();
   const SimulatedScan scan(scenePreset("realistic"));
   const std::vector<sensor_msgs::ImagePtr> images = prepareImages(scan);
-  const std::string calibration = "/tmp/weld_profiler_live_chain_" + std::to_string(::getpid()) + ".yaml";
+  const std::string calibration =
+      (std::filesystem::temp_directory_path() / ("weld_profiler_live_chain_" + std::to_string(::getpid()) + ".yaml"))
+          .string();
   saveCalibration(scan.calibration(), calibration);
   std::printf("%s, %d x %d, %.0f frames/s for %.0f s, cycling over %d images\n", options.method.c_str(), scan.width(),
               scan.height(), options.rate, options.seconds, kPrepared);

@@ -1,4 +1,4 @@
-#include "weld_profiler/scan/atomic_file.h"
+#include "weld_profiler/core/atomic_file.h"
 
 #include <filesystem>
 #include <string>

@@ -14,6 +14,5 @@ constexpr const char* kPoseNotFinite = "pose_not_finite";          ///< the pose
 constexpr const char* kTimeBackwards = "time_backwards";           ///< time jumped back while it waited (looping bag)
 constexpr const char* kWaitingTooLong = "waiting_too_long";        ///< pushed out of the full queue
 constexpr const char* kRestarted = "restarted";                    ///< a new scan was begun while it waited
-constexpr const char* kDirectionChanged = "direction_changed";     ///< the stripe turned from rows to columns
 }  // namespace unplaced
 }  // namespace weld_profiler
