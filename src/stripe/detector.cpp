@@ -23,7 +23,6 @@ double shareOfBrightness(const CandidateList& candidates, const std::vector<Seed
   return all > 0.0 ? own / all : 0.0;
 }
 
-/// Why a frame shows no stripe.
 StripeStatus reason(const FrameStatistics& statistics, const Levels& levels, const StripeParams& params)
 {
   if (statistics.saturated_share >= kOverexposed)
@@ -35,6 +34,13 @@ StripeStatus reason(const FrameStatistics& statistics, const Levels& levels, con
                                                                           : StripeStatus::NoStripe;
 }
 }  // namespace
+
+StripeStatus reasonForNone(const ImageView& image, const Levels& levels, const StripeParams& params,
+                           Workspace::Scratch& scratch)
+{
+  measureFrame(image, levels, scratch.statistics);
+  return reason(scratch.statistics, levels, params);
+}
 
 StripeStatus detectStripe(const ImageView& image, const StripeParams& params, Workspace::Scratch& scratch)
 {

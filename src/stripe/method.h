@@ -39,4 +39,5 @@ std::unique_ptr<const StripeExtractor> makeSquaredCentroid(const StripeParams& p
 std::unique_ptr<const StripeExtractor> makeSvd(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makePca(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makeSteger(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeRidge(const StripeParams& params);
 }  // namespace weld_profiler

@@ -3,12 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "along_stripe.h"
 #include "candidates.h"
 #include "centre_line.h"
 #include "centroid.h"
 #include "channel.h"
+#include "column_moments.h"
 #include "continuity.h"
 #include "derivatives.h"
+#include "ridge_centres.h"
+#include "stripe_finder.h"
 #include "weld_profiler/stripe/workspace.h"
 
 namespace weld_profiler
@@ -28,6 +32,12 @@ struct Workspace::Scratch
   CandidateList candidates;
   ContinuityTracker tracker;
   std::vector<Seed> seeds;
+
+  // ridge
+  StripeFinder stripe_finder;
+  ColumnTrack track;
+  AlongStripe along;
+  RidgeCentres ridge_centres;
 
   // estimation
   ColumnCentroid centroid;

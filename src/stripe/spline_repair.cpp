@@ -203,6 +203,8 @@ void repairGaps(const RepairSettings& settings, Stripe& stripe, Stripe& memory)
 {
   if (settings.max_gap_px == 0 || stripe.size() < 2 * kLeastSideCells)
     return;
+  if (stripe.cell.back() - stripe.cell.front() == static_cast<int>(stripe.size() - 1) * settings.pitch)
+    return;  // no cell is missing
   Bridge bridge(stripe);
   memory.clear();
   for (std::size_t i = 0; i < stripe.size(); ++i)

@@ -20,6 +20,7 @@ const MethodEntry kMethods[] = {
   { "svd", makeSvd },
   { "pca", makePca },
   { "steger", makeSteger },
+  { "ridge", makeRidge },
 };
 }  // namespace
 

@@ -76,12 +76,14 @@ void StripeStage::process(const RawImage& image, Workspace& workspace, Stripe& s
   Workspace::Scratch& scratch = workspace.scratch();
   const Region region = regionIn(image, params_);
   const ChannelView channel = selectChannel(image, region, params_.channel, scratch.channel);
-  stripe.clear();
-  stripe.status = StripeStatus::NoStripe;
-  stripe.direction = params_.direction == "v" ? Direction::AlongV : Direction::AlongU;
   workspace.initial.clear();
   if (channel.view.empty())  // a region one pixel wide or high, without a photosite of that colour
+  {
+    stripe.clear();
+    stripe.status = StripeStatus::NoStripe;
+    stripe.direction = params_.direction == "v" ? Direction::AlongV : Direction::AlongU;
     return;
+  }
 
   if (params_.direction != "auto")
     extractAlong(params_.direction == "u" ? Direction::AlongU : Direction::AlongV, channel.view, channel.pitch,
@@ -90,7 +92,6 @@ void StripeStage::process(const RawImage& image, Workspace& workspace, Stripe& s
     extractAlong(*workspace.direction, channel.view, channel.pitch, workspace, stripe);
   else
     extractAnyDirection(channel.view, channel.pitch, workspace, stripe);
-  workspace.last = stripe;
   toImage(channel, stripe, workspace.initial);
 
   const bool along_u = stripe.direction == Direction::AlongU;
@@ -110,7 +111,7 @@ void StripeStage::extractAlong(Direction direction, const ImageView& view, int p
   const StripeExtractor& extractor = pitch == 1 ? *extractor_ : *every_second_pixel_;
   if (direction == Direction::AlongU)
   {
-    extractor.extract(view, StripeHint{ &workspace.last }, workspace, stripe);
+    extractor.extract(view, StripeHint{}, workspace, stripe);
     return;
   }
   ImageView turned;

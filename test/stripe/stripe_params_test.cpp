@@ -45,6 +45,7 @@ std::vector<Refusal> refusals()
     { "hessian_sigma_px", [](StripeParams& p) { p.hessian_sigma_px = 0.1; } },
     { "derivatives", [](StripeParams& p) { p.derivatives = "scharr"; } },
     { "taylor", [](StripeParams& p) { p.taylor = "third"; } },
+    { "max_aperture_px", [](StripeParams& p) { p.max_aperture_px = 5; } },
     { "max_gap_px", [](StripeParams& p) { p.max_gap_px = -1; } },
     { "edge_trim_px", [](StripeParams& p) { p.edge_trim_px = 2000; } },
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,6 +33,9 @@ public:
   bool keep_trace = false;             ///< fill `initial` (the overlay wants it)
   std::vector<InitialPoint>
       initial;  ///< one a centre of the last stripe, in full image coordinates; empty unless keep_trace
+
+  /// Columns that each centre was measured over (`ridge`), one a centre of the last stripe before repair.
+  std::vector<std::uint16_t> aperture;
 
   struct Scratch;  ///< private to the stripe room
   Scratch& scratch() { return *scratch_; }

@@ -1,0 +1,184 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "column_track.h"
+#include "control_variates.h"
+#include "multiversion.h"
+
+namespace weld_profiler
+{
+// The loops of AlongStripe, one slot after another. Every array holds a value a slot.
+
+/// sum[i] = values[i - lag] + values[i] + values[i + lag]; 27 neighbours are three times three times three.
+struct SumOfThree
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict values, int lag, int count, float* __restrict sum)
+  {
+    for (int i = lag; i < count - lag; ++i)
+      sum[i] = values[i - lag] + values[i] + values[i + lag];
+  }
+};
+
+struct MeanOfThree
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict values, int count, float* __restrict mean)
+  {
+    for (int i = 1; i < count - 1; ++i)
+      mean[i] = (values[i - 1] + values[i] + values[i + 1]) * (1.0F / 3.0F);
+  }
+};
+
+struct LeverOfOne
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict weights, int count, float* __restrict lever)
+  {
+    for (int i = 1; i < count - 1; ++i)
+      lever[i] = weights[i + 1] - weights[i - 1];
+  }
+};
+
+/// Sums of distances times weights, from those of the next shorter stretch.
+struct LeverOfThree
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict shorter, const float* __restrict weights, int lag,
+                                       int count, float* __restrict lever)
+  {
+    const auto arm = static_cast<float>(lag);
+    for (int i = lag; i < count - lag; ++i)
+      lever[i] = shorter[i - lag] + shorter[i] + shorter[i + lag] + arm * (weights[i + lag] - weights[i - lag]);
+  }
+};
+
+/// Mean of what a sum holds, moved along the line's slope to the middle where columns are missing on one side.
+struct MeanOf
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict sum, const float* __restrict weights,
+                                       const float* __restrict lever, const float* __restrict slope, int count,
+                                       float* __restrict mean)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      const float weight = weights[i] > 1.0F ? weights[i] : 1.0F;
+      mean[i] = (sum[i] - slope[i] * lever[i]) / weight;
+    }
+  }
+};
+
+struct Settling
+{
+  WELD_PROFILER_KERNEL static void run(int count, const float* __restrict weight, const float* __restrict core,
+                                       const float* __restrict spread, float* __restrict moved, float* __restrict wide)
+  {
+    constexpr float kLeast = 0.2F;
+    constexpr float kMost = 4.0F;
+    for (int i = 0; i < count; ++i)
+    {
+      const float low = spread[i] < kMost ? spread[i] : kMost;
+      const float square = low > kLeast ? low : kLeast;
+      moved[i] = weight[i] > 0.0F ? core[i] : 0.0F;
+      wide[i] = weight[i] > 0.0F ? square : 0.0F;
+    }
+  }
+};
+
+/// The reference line follows the columns; where nothing was measured it goes on as far off as it was around.
+struct SettleReference
+{
+  struct In
+  {
+    int count;
+    const float *sum3, *sum9, *sum27, *moved3, *moved9, *wide27;
+    float *v, *sigma;
+  };
+  WELD_PROFILER_KERNEL static void run(In in)
+  {
+    constexpr int kGuard = ColumnTrack::kGuard;
+    const float* __restrict sum3 = in.sum3;
+    const float* __restrict sum9 = in.sum9;
+    const float* __restrict sum27 = in.sum27;
+    const float* __restrict moved3 = in.moved3;
+    const float* __restrict moved9 = in.moved9;
+    const float* __restrict wide27 = in.wide27;
+    float* __restrict v = in.v;
+    float* __restrict sigma = in.sigma;
+    for (int i = kGuard; i < in.count - kGuard; ++i)
+    {
+      const float near = moved3[i] / (sum3[i] > 1.0F ? sum3[i] : 1.0F);
+      const float around = moved9[i] / (sum9[i] > 1.0F ? sum9[i] : 1.0F);
+      v[i] += sum3[i] > 0.0F ? near : around;
+      const float square = wide27[i] / (sum27[i] > 1.0F ? sum27[i] : 1.0F);
+      sigma[i] *= __builtin_sqrtf(sum27[i] > 0.0F ? square : 1.0F);
+    }
+  }
+};
+
+/// Slope of the reference line and, of each column, the centre's row, what reflectance feigns of it, and flanks minus
+/// core.
+struct PrepareColumns
+{
+  struct In
+  {
+    int count;
+    const float *v, *sigma, *light, *weight, *core, *flanks;
+    float *slope, *feigned, *difference, *offset;
+  };
+  WELD_PROFILER_KERNEL static void run(In in)
+  {
+    const float* __restrict v = in.v;
+    const float* __restrict sigma = in.sigma;
+    const float* __restrict light = in.light;
+    const float* __restrict weight = in.weight;
+    const float* __restrict core = in.core;
+    const float* __restrict flanks = in.flanks;
+    float* __restrict slope = in.slope;
+    float* __restrict feigned = in.feigned;
+    float* __restrict difference = in.difference;
+    float* __restrict offset = in.offset;
+    for (int i = 4; i < in.count - 4; ++i)
+    {
+      const float rise = (v[i + 4] - v[i - 4]) * 0.125F;
+      slope[i] = rise;
+      // At an end the column itself stands in for the neighbour that is missing.
+      const float before = weight[i - 1] > 0.0F ? light[i - 1] : light[i];
+      const float after = weight[i + 1] > 0.0F ? light[i + 1] : light[i];
+      const float steps = weight[i - 1] + weight[i + 1];
+      const float whole = (before + after) * steps;
+      const float change = 2.0F * (after - before) / (whole > 1e-3F ? whole : 1e-3F);
+      const float there = sigma[i] * sigma[i] * rise / (1.0F + rise * rise) * change;
+      feigned[i] = weight[i] > 0.0F ? there : 0.0F;
+      difference[i] = weight[i] > 0.0F ? flanks[i] - core[i] : 0.0F;
+      offset[i] = weight[i] > 0.0F ? v[i] + core[i] : 0.0F;
+    }
+  }
+};
+
+/// Applies what was learnt, straight from the middle of one stretch to the middle of the next.
+struct Correct
+{
+  WELD_PROFILER_KERNEL static void run(int count, int stretches, const StretchScatter* learnt,
+                                       const float* __restrict feigned, const float* __restrict difference,
+                                       float* __restrict offset)
+  {
+    constexpr int kStretch = ControlVariates::kStretch;
+    for (int s = -1; s < stretches; ++s)
+    {
+      const StretchScatter& a = learnt[s < 0 ? 0 : s];
+      const StretchScatter& b = learnt[s + 1 < stretches ? s + 1 : stretches - 1];
+      const int begin = s * kStretch + kStretch / 2;
+      const int first = begin < 0 ? 0 : begin;
+      const int last = begin + kStretch < count ? begin + kStretch : count;
+      for (int i = first; i < last; ++i)
+      {
+        const float share = static_cast<float>(i - begin) * (1.0F / kStretch);
+        const float flanks = a.flanks + share * (b.flanks - a.flanks);
+        const float there = a.feigned + share * (b.feigned - a.feigned);
+        offset[i] += flanks * difference[i] - there * feigned[i];
+      }
+    }
+  }
+};
+}  // namespace weld_profiler
+
+#include "aperture_kernels.h"

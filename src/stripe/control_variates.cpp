@@ -1,0 +1,224 @@
+#include "control_variates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "multiversion.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr int kReach = 15;  // slots that a fifth difference reaches to either side
+constexpr float kUnknown = 1e9F;
+constexpr double kOutlier = 3.5;  // mean magnitudes
+constexpr double kTypical = 2.0;  // a stretch is not trusted to be rougher than that many typical ones
+constexpr double kFew = 4.0;
+constexpr double kEnough = 24.0;
+constexpr int kNeighbours = 2;       // stretches on either side that are asked as well, by less and less
+constexpr double kCorrelated = 3.0;  // differences of means over common columns: so many count as one
+constexpr double kSurely = 4.0;      // squared significance from which a correction is used
+constexpr double kLargestShare = 1.1;
+
+struct RoughnessOf
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict values, const float* __restrict columns, int count,
+                                       float* __restrict rough)
+  {
+    constexpr float kScale = 1.0F / 15.874508F;  // variance of one value: 1 / sqrt(252)
+    constexpr float kWhole = 3.0F * 6.0F - 0.5F;
+    for (int i = kReach; i < count - kReach; ++i)
+    {
+      const float held =
+          columns[i - 15] + columns[i - 9] + columns[i - 3] + columns[i + 3] + columns[i + 9] + columns[i + 15];
+      const float value = (values[i - 15] - values[i + 15]) - 5.0F * (values[i - 9] - values[i + 9]) +
+                          10.0F * (values[i - 3] - values[i + 3]);
+      rough[i] = held > kWhole ? value * kScale : kUnknown;
+    }
+  }
+};
+
+struct MagnitudeOf
+{
+  static constexpr int kLanes = 8;
+  WELD_PROFILER_KERNEL static void run(const float* __restrict values, int begin, int end, double* mean)
+  {
+    float sums[kLanes] = {};
+    float counts[kLanes] = {};
+    int i = begin;
+    for (; i + kLanes <= end; i += kLanes)
+      for (int k = 0; k < kLanes; ++k)
+      {
+        const float value = std::abs(values[i + k]);
+        sums[k] += value < 0.5F * kUnknown ? value : 0.0F;
+        counts[k] += value < 0.5F * kUnknown ? 1.0F : 0.0F;
+      }
+    double sum = 0.0;
+    double count = 0.0;
+    for (int k = 0; k < kLanes; ++k)
+    {
+      sum += sums[k];
+      count += counts[k];
+    }
+    *mean = count >= kFew ? sum / count : 0.0;
+  }
+};
+
+struct MomentsOf
+{
+  static constexpr int kLanes = 8;
+  struct In
+  {
+    const float *e, *f, *d;
+    int begin, end;
+    float most_e, most_d;
+  };
+  WELD_PROFILER_KERNEL static void run(In in, double* moments)
+  {
+    constexpr int kSums = 7;
+    float sums[kSums][kLanes] = {};
+    for (int i = in.begin; i + kLanes <= in.end; i += kLanes)
+      for (int k = 0; k < kLanes; ++k)
+      {
+        const bool used = std::abs(in.e[i + k]) < in.most_e && std::abs(in.d[i + k]) < in.most_d;
+        const float e = used ? in.e[i + k] : 0.0F;
+        const float f = used ? in.f[i + k] : 0.0F;
+        const float d = used ? in.d[i + k] : 0.0F;
+        sums[0][k] += used ? 1.0F : 0.0F;
+        sums[1][k] += e * e;
+        sums[2][k] += e * f;
+        sums[3][k] += e * d;
+        sums[4][k] += f * f;
+        sums[5][k] += f * d;
+        sums[6][k] += d * d;
+      }
+    for (int s = 0; s < kSums; ++s)
+    {
+      moments[s] = 0.0;
+      for (int k = 0; k < kLanes; ++k)
+        moments[s] += sums[s][k];
+    }
+  }
+};
+
+/// Share of a correction that pays: its least-squares value times how sure it is.
+double sure(double share, double square, double rest)
+{
+  if (!(square > 0.0))
+    return 0.0;
+  const double significance = share * share * square / std::max(1e-18, rest) / kCorrelated;
+  return std::clamp(share * std::max(0.0, 1.0 - kSurely / std::max(1e-9, significance)), 0.0, kLargestShare);
+}
+}  // namespace
+
+void ControlVariates::Moments::add(const Moments& other, double share)
+{
+  count += share * other.count;
+  ee += share * other.ee;
+  ef += share * other.ef;
+  ed += share * other.ed;
+  ff += share * other.ff;
+  fd += share * other.fd;
+  dd += share * other.dd;
+}
+
+ControlVariates::Moments ControlVariates::momentsOf(int stretch, double most) const
+{
+  const int begin = stretch * kStretch;
+  const int end = std::min(count_, begin + kStretch);
+  double most_d = 0.0;
+  dispatch<MagnitudeOf>(rough_difference_.data(), begin, end, &most_d);
+  const MomentsOf::In in{ rough_.data(),
+                          rough_feigned_.data(),
+                          rough_difference_.data(),
+                          begin,
+                          end,
+                          static_cast<float>(most + 1e-6),
+                          static_cast<float>(kOutlier * most_d + 1e-6) };
+  double sums[7];
+  dispatch<MomentsOf>(in, sums);
+  return Moments{ sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6] };
+}
+
+/// Lower quartile of the stretches' mean magnitudes: a stripe that is broken or bent sharply in most of them must not
+/// pass for a rough one.
+double ControlVariates::typicalMagnitude()
+{
+  sorted_.clear();
+  for (std::size_t i = 0; i < magnitudes_.size(); ++i)
+  {
+    const int begin = static_cast<int>(i) * kStretch;
+    dispatch<MagnitudeOf>(rough_.data(), begin, std::min(count_, begin + kStretch), &magnitudes_[i]);
+    if (magnitudes_[i] > 0.0)
+      sorted_.push_back(magnitudes_[i]);
+  }
+  if (sorted_.empty())
+    return 0.0;
+  const auto quarter = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 4);
+  std::nth_element(sorted_.begin(), quarter, sorted_.end());
+  return *quarter;
+}
+
+/// Least squares of e - feigned f + flanks d.
+StretchScatter ControlVariates::solve(const Moments& sum)
+{
+  StretchScatter result;
+  if (sum.count < kFew)
+    return result;
+  double feigned = 0.0;
+  double flanks = 0.0;
+  const double determinant = sum.ff * sum.dd - sum.fd * sum.fd;
+  if (determinant > 1e-6 * sum.ff * sum.dd)
+  {
+    feigned = (sum.ef * sum.dd - sum.ed * sum.fd) / determinant;
+    flanks = -(sum.ed * sum.ff - sum.ef * sum.fd) / determinant;
+  }
+  else if (sum.dd > 0.0)
+    flanks = -sum.ed / sum.dd;
+  const double rest = (sum.ee - feigned * sum.ef + flanks * sum.ed) / sum.count;
+  feigned = sure(feigned, sum.ff, rest);
+  flanks = sure(flanks, sum.dd, rest);
+  const double left = sum.ee + feigned * feigned * sum.ff + flanks * flanks * sum.dd - 2.0 * feigned * sum.ef +
+                      2.0 * flanks * sum.ed - 2.0 * feigned * flanks * sum.fd;
+  constexpr double kLeast = 1e-9;
+  result.feigned = static_cast<float>(feigned);
+  result.flanks = static_cast<float>(flanks);
+  result.variance = static_cast<float>(std::max(0.0, left / sum.count) + kLeast);
+  result.difference = static_cast<float>(sum.dd / sum.count + kLeast);
+  return result;
+}
+
+void ControlVariates::learn(const Means& means)
+{
+  count_ = means.count;
+  for (std::vector<float>* rough : { &rough_, &rough_feigned_, &rough_difference_ })
+  {
+    rough->resize(static_cast<std::size_t>(count_));
+    std::fill(rough->begin(), rough->begin() + std::min(kReach, count_), kUnknown);
+    std::fill(rough->end() - std::min(kReach, count_), rough->end(), kUnknown);
+  }
+  dispatch<RoughnessOf>(means.centre, means.columns, count_, rough_.data());
+  dispatch<RoughnessOf>(means.feigned, means.columns, count_, rough_feigned_.data());
+  dispatch<RoughnessOf>(means.difference, means.columns, count_, rough_difference_.data());
+
+  const int stretches = (count_ + kStretch - 1) / kStretch;
+  magnitudes_.assign(static_cast<std::size_t>(stretches), 0.0);
+  moments_.resize(static_cast<std::size_t>(stretches));
+  stretches_.resize(static_cast<std::size_t>(stretches));
+  const double typical = typicalMagnitude();
+  for (int i = 0; i < stretches; ++i)
+    moments_[static_cast<std::size_t>(i)] =
+        momentsOf(i, kOutlier * std::min(magnitudes_[static_cast<std::size_t>(i)], kTypical * typical));
+  for (int i = 0; i < stretches; ++i)
+  {
+    Moments sum;
+    for (int reach = kNeighbours; reach < stretches + kNeighbours && sum.count < kEnough; ++reach)
+    {
+      sum = Moments{};
+      for (int j = std::max(0, i - reach); j <= std::min(stretches - 1, i + reach); ++j)
+        sum.add(moments_[static_cast<std::size_t>(j)], 1.0 - std::abs(j - i) / (reach + 1.0));
+    }
+    stretches_[static_cast<std::size_t>(i)] = solve(sum);
+  }
+}
+}  // namespace weld_profiler

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+namespace weld_profiler
+{
+/// What the scatter between neighbouring columns says of a stretch of 64 slots.
+struct StretchScatter
+{
+  float feigned = 0.0F;     ///< share of what reflectance feigns that is there
+  float flanks = 0.0F;      ///< share of the flanks in the centre
+  float variance = 0.0F;    ///< of a mean over three columns, after both [px^2]
+  float difference = 0.0F;  ///< of the difference between flanks and core, over three columns [px^2]
+};
+
+/// Learns, stretch by stretch, how far two corrections make the centre's scatter along the stripe less (control
+/// variates: least squares on what is rough in all three), and what scatter is left.
+///
+/// Rough is what is left of values six columns apart in their fifth difference: a weld's outline leaves next to nothing
+/// of itself in it, and six columns are farther than speckle is alike. Steps and spatter are left out.
+class ControlVariates
+{
+public:
+  static constexpr int kStretch = 64;  ///< slots
+
+  /// Means over three columns, one a slot, and the columns they hold.
+  struct Means
+  {
+    const float* centre;
+    const float* feigned;     ///< offset that reflectance feigns
+    const float* difference;  ///< flanks minus core
+    const float* columns;
+    int count;
+  };
+  void learn(const Means& means);
+
+  const std::vector<StretchScatter>& stretches() const { return stretches_; }
+
+private:
+  struct Moments
+  {
+    double count = 0.0, ee = 0.0, ef = 0.0, ed = 0.0, ff = 0.0, fd = 0.0, dd = 0.0;
+    void add(const Moments& other, double share);
+  };
+  double typicalMagnitude();
+  Moments momentsOf(int stretch, double most) const;
+  static StretchScatter solve(const Moments& sum);
+
+  std::vector<StretchScatter> stretches_;
+  std::vector<float> rough_, rough_feigned_, rough_difference_;
+  std::vector<double> magnitudes_, sorted_;
+  std::vector<Moments> moments_;
+  int count_ = 0;
+};
+}  // namespace weld_profiler

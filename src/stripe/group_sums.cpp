@@ -1,0 +1,83 @@
+#include "group_sums.h"
+
+#include <algorithm>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include "pixels.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr int kLanes = 16;  // groups that a step works on at once
+
+template <class Pixel>
+std::uint16_t sumOf(const Pixel* pixels, int shift)
+{
+  std::uint32_t sum = 0;
+  for (int k = 0; k < kGroup; ++k)
+    sum += pixels[k];
+  return static_cast<std::uint16_t>(sum >> shift);
+}
+
+#if defined(__SSE2__)
+/// Four pairs of 64-bit sums to eight of 16 bit.
+__m128i packed(__m128i a, __m128i b, __m128i c, __m128i d)
+{
+  return _mm_packs_epi32(_mm_packs_epi32(a, b), _mm_packs_epi32(c, d));
+}
+
+int sumWide(const std::uint8_t* pixels, int groups, std::uint16_t* sums)
+{
+  const __m128i zero = _mm_setzero_si128();
+  int group = 0;
+  for (; group + 8 <= groups; group += 8)
+  {
+    const auto* from = reinterpret_cast<const __m128i*>(pixels + static_cast<std::ptrdiff_t>(group) * kGroup);
+    const auto sad = [&](int i) { return _mm_sad_epu8(_mm_loadu_si128(from + i), zero); };
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(sums + group), packed(sad(0), sad(1), sad(2), sad(3)));
+  }
+  return group;
+}
+#else
+int sumWide(const std::uint8_t* /*pixels*/, int /*groups*/, std::uint16_t* /*sums*/)
+{
+  return 0;
+}
+#endif
+
+int sumWide(const std::uint16_t* /*pixels*/, int /*groups*/, std::uint16_t* /*sums*/)
+{
+  return 0;
+}
+}  // namespace
+
+template <class Pixel>
+void GroupSums::sumRow(const Pixel* pixels, std::uint16_t* sums) const
+{
+  for (int group = sumWide(pixels, groups_ - 1, sums); group + 1 < groups_; ++group)
+    sums[group] = sumOf(pixels + static_cast<std::ptrdiff_t>(group) * kGroup, shift_);
+  sums[groups_ - 1] = sumOf(pixels + last_column_, shift_);
+}
+
+void GroupSums::measure(const ImageView& image, int row_step)
+{
+  groups_ = (image.width + kGroup - 1) / kGroup;
+  rows_ = (image.height + row_step - 1) / row_step;
+  row_step_ = row_step;
+  last_column_ = image.width - kGroup;
+  shift_ = image.bit_depth == 8 ? 0 : 3;
+  per_level_ = static_cast<float>(kGroup) / static_cast<float>(1 << shift_);
+  stride_ = static_cast<std::size_t>((groups_ + kLanes - 1) / kLanes * kLanes);
+  sums_.resize(stride_ * static_cast<std::size_t>(rows_));
+  withPixel(image,
+            [&](auto pixel)
+            {
+              for (int i = 0; i < rows_; ++i)
+                sumRow(image.row<decltype(pixel)>(i * row_step_), sums_.data() + static_cast<std::size_t>(i) * stride_);
+            });
+}
+}  // namespace weld_profiler

@@ -1,0 +1,223 @@
+#include "path_track.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr float kFwhmPerSigma = 2.355F;
+constexpr float kNarrowest = 0.6F;    // [px]
+constexpr float kFlankSigmas = 4.0F;  // where the background begins
+constexpr int kFlankSamples = 3;
+constexpr float kFoot = 0.2F;      // share of the height below which samples do not count for the centre
+constexpr int kOverhang = 8;       // columns that a piece is laid beyond its last node's group
+constexpr float kSteepest = 2.0F;  // rows a column that a line is laid on with
+
+float median3(float a, float b, float c)
+{
+  return std::max(std::min(a, b), std::min(std::max(a, b), c));
+}
+
+float median5(const std::array<float, 5>& values)
+{
+  const float low = std::max(std::min(values[0], values[1]), std::min(values[3], values[4]));
+  const float high = std::min(std::max(values[0], values[1]), std::max(values[3], values[4]));
+  return median3(low, values[2], high);
+}
+
+/// Rows, from the top's, at which the profile falls through half of its height on one side.
+float halfWidth(const GroupSums& sums, const PathNode& node, int side)
+{
+  const float half = node.peak.top - 0.5F * node.peak.height;
+  float before = node.peak.top;
+  const int reach = std::max(1, GroupPeaks::kReach / sums.rowStep());
+  for (int i = 1; i <= reach; ++i)
+  {
+    const int row = node.peak.row + side * i;
+    if (row < 0 || row >= sums.rows())
+      return static_cast<float>(i);
+    const float here = sums.row(row)[node.group];
+    if (here <= half)
+      return static_cast<float>(i - 1) + (before - half) / std::max(1.0F, before - here);
+    before = here;
+  }
+  return static_cast<float>(reach);
+}
+
+/// Level of one flank; negative = outside the image.
+float flank(const GroupSums& sums, int group, int first)
+{
+  if (first < 0 || first + kFlankSamples > sums.rows())
+    return -1.0F;
+  return median3(sums.row(first)[group], sums.row(first + 1)[group], sums.row(first + 2)[group]);
+}
+}  // namespace
+
+PathTrack::Node PathTrack::measure(const GroupSums& sums, const PathNode& node)
+{
+  const auto step = static_cast<float>(sums.rowStep());
+  const float left = halfWidth(sums, node, -1);
+  const float right = halfWidth(sums, node, 1);
+  Node result;
+  result.u = sums.middle(node.group);
+  result.sigma = std::max(kNarrowest, step * (left + right) / kFwhmPerSigma);
+  result.starts_piece = node.starts_piece;
+  result.ambiguous = node.ambiguous ? 1.0F : 0.0F;
+
+  const float floor = node.peak.top - (1.0F - kFoot) * node.peak.height;
+  float weight = 0.0F;
+  float moment = 0.0F;
+  const int first = std::max(0, node.peak.row - static_cast<int>(std::ceil(left)));
+  const int last = std::min(sums.rows() - 1, node.peak.row + static_cast<int>(std::ceil(right)));
+  for (int i = first; i <= last; ++i)
+  {
+    const float light = std::max(0.0F, sums.row(i)[node.group] - floor);
+    weight += light;
+    moment += light * static_cast<float>(i);
+  }
+  const float middle = moment / std::max(1.0F, weight);
+  result.v = step * middle;
+
+  const int reach = static_cast<int>(std::ceil(kFlankSigmas * result.sigma / step));
+  const int centre = static_cast<int>(std::lround(middle));
+  const float above = flank(sums, node.group, centre - reach - kFlankSamples + 1);
+  const float below = flank(sums, node.group, centre + reach);
+  const float base = node.peak.top - node.peak.height;
+  if (above >= 0.0F && below >= 0.0F)
+  {
+    result.background = 0.5F * (above + below);
+    result.gradient = (below - above) / (step * static_cast<float>(2 * reach + kFlankSamples - 1));
+  }
+  else
+    result.background = above >= 0.0F ? above : (below >= 0.0F ? below : base);
+  result.background /= sums.perLevel();
+  result.gradient /= sums.perLevel();
+  return result;
+}
+
+/// A group's profile is wider than a column's where the stripe is oblique.
+void PathTrack::takeSmear(std::size_t begin, std::size_t end)
+{
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Node& a = nodes_[i > begin ? i - 1 : i];
+    const Node& b = nodes_[i + 1 < end ? i + 1 : i];
+    const float rise = b.u > a.u ? kGroup * (b.v - a.v) / (b.u - a.u) : 0.0F;
+    const float square = nodes_[i].sigma * nodes_[i].sigma;
+    evened_[i] = std::sqrt(std::max(square - rise * rise / 12.0F, 0.25F * square));
+  }
+  for (std::size_t i = begin; i < end; ++i)
+    nodes_[i].sigma = std::max(kNarrowest, evened_[i]);
+}
+
+/// Running mean of nine neighbours.
+void PathTrack::smooth(std::size_t begin, std::size_t end, float Node::*field)
+{
+  constexpr std::size_t kSide = 4;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const std::size_t side = std::min({ kSide, i - begin, end - 1 - i });
+    float sum = 0.0F;
+    for (std::size_t j = i - side; j <= i + side; ++j)
+      sum += nodes_[j].*field;
+    evened_[i] = sum / static_cast<float>(2 * side + 1);
+  }
+  for (std::size_t i = begin; i < end; ++i)
+    nodes_[i].*field = evened_[i];
+}
+
+/// Median of five neighbours.
+void PathTrack::evenOut(std::size_t begin, std::size_t end, float Node::*field)
+{
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const auto at = [&](std::ptrdiff_t off)
+    {
+      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(i) + off;
+      return nodes_[static_cast<std::size_t>(
+                 std::clamp(j, static_cast<std::ptrdiff_t>(begin), static_cast<std::ptrdiff_t>(end) - 1))].*
+             field;
+    };
+    evened_[i] = median5({ at(-2), at(-1), at(0), at(1), at(2) });
+  }
+  for (std::size_t i = begin; i < end; ++i)
+    nodes_[i].*field = evened_[i];
+}
+
+void PathTrack::layPiece(std::size_t begin, std::size_t end, int columns, ColumnTrack& track) const
+{
+  constexpr float kReach = 0.5F * kGroup + kOverhang;
+  ColumnTrack::Piece piece;
+  piece.cell = std::max(0, static_cast<int>(nodes_[begin].u - kReach + 1.0F));
+  const int stop = std::min(columns, static_cast<int>(nodes_[end - 1].u + kReach) + 1);
+  piece.count = stop - piece.cell;
+  piece.slot = (track.pieces.empty() ? 0 : track.pieces.back().slot + track.pieces.back().count) + ColumnTrack::kGuard;
+  track.pieces.push_back(piece);
+  int cell = piece.cell;
+  std::size_t slot = static_cast<std::size_t>(piece.slot);
+  for (std::size_t i = begin; cell < stop; i += i + 2 < end ? 1 : 0)
+  {
+    const Node& a = nodes_[i];
+    const Node& b = nodes_[i + 1 < end ? i + 1 : i];
+    const bool last = i + 2 >= end;
+    const int until = last ? stop : static_cast<int>(std::ceil(b.u));
+    const float scale = b.u > a.u ? 1.0F / (b.u - a.u) : 0.0F;
+    const float slope = std::clamp((b.v - a.v) * scale, -kSteepest, kSteepest);
+    for (; cell < until; ++cell, ++slot)
+    {
+      const float along = static_cast<float>(cell) - a.u;
+      const float share = std::clamp(along * scale, 0.0F, 1.0F);
+      track.v[slot] = a.v + (share > 0.0F && share < 1.0F ? (b.v - a.v) * share : slope * along);
+      track.sigma[slot] = a.sigma + share * (b.sigma - a.sigma);
+      track.background[slot] = a.background + share * (b.background - a.background);
+      track.gradient[slot] = a.gradient + share * (b.gradient - a.gradient);
+      track.ambiguous[slot] = std::max(a.ambiguous, b.ambiguous);
+    }
+  }
+}
+
+void ColumnTrack::layOn(const Piece& piece)
+{
+  constexpr int kEnd = 8;
+  const auto first = static_cast<std::size_t>(piece.slot);
+  const std::size_t last = first + static_cast<std::size_t>(piece.count) - 1;
+  const auto end = static_cast<std::size_t>(std::min(kEnd, piece.count) - 1);
+  const float rise = (v[first + end] - v[first]) / static_cast<float>(end);
+  const float fall = (v[last] - v[last - end]) / static_cast<float>(end);
+  for (std::size_t i = 1; i <= kGuard / 2; ++i)
+  {
+    v[first - i] = v[first] - rise * static_cast<float>(i);
+    v[last + i] = v[last] + fall * static_cast<float>(i);
+  }
+}
+
+void PathTrack::lay(const GroupSums& sums, const std::vector<PathNode>& nodes, int columns, ColumnTrack& track)
+{
+  nodes_.clear();
+  for (const PathNode& node : nodes)
+    nodes_.push_back(measure(sums, node));
+  evened_.resize(nodes_.size());
+  track.pieces.clear();
+  // Pieces overlap by their overhangs and have guards: no more slots than this.
+  std::size_t pieces = 0;
+  for (const Node& node : nodes_)
+    pieces += node.starts_piece ? 1 : 0;
+  track.resize(static_cast<std::size_t>(columns) + (pieces + 1) * (2 * ColumnTrack::kGuard + 2 * (kOverhang + kGroup)));
+  for (std::size_t begin = 0, end = 0; begin < nodes_.size(); begin = end)
+  {
+    for (end = begin + 1; end < nodes_.size() && !nodes_[end].starts_piece;)
+      ++end;
+    takeSmear(begin, end);
+    evenOut(begin, end, &Node::sigma);
+    evenOut(begin, end, &Node::background);
+    evenOut(begin, end, &Node::gradient);
+    smooth(begin, end, &Node::background);
+    smooth(begin, end, &Node::gradient);
+    layPiece(begin, end, columns, track);
+    track.layOn(track.pieces.back());
+  }
+}
+}  // namespace weld_profiler

@@ -1,0 +1,68 @@
+#include "column_moments.h"
+#include "detector.h"
+#include "method.h"
+#include "scratch.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr int kMostPasses = 3;
+
+/// The centre line at the limit that noise sets: found as a path of sums over 8 columns, measured in each column by
+/// matched weights, joined along the stripe as far as it is straight or bent evenly. See StripeFinder, ColumnMoments,
+/// AlongStripe. Good for: everything a laser line is used for. Poor for: stripes steeper than 65 deg.
+class Ridge : public StripeExtractor
+{
+public:
+  explicit Ridge(const StripeParams& params) : params_(params) {}
+
+  void extract(const ImageView& image, const StripeHint& /*hint*/, Workspace& workspace, Stripe& stripe) const final
+  {
+    Workspace::Scratch& scratch = workspace.scratch();
+    workspace.initial.clear();
+    stripe.direction = Direction::AlongU;
+    const Levels levels = levelsOf(image, params_);
+    ColumnTrack& track = scratch.track;
+    track.pieces.clear();
+    if (image.width >= kGroup)
+      scratch.stripe_finder.find(image, levels, params_.min_peak_counts, track);
+    if (track.pieces.empty())
+    {
+      stripe.clear();
+      workspace.aperture.clear();
+      stripe.status = reasonForNone(image, levels, params_, scratch);
+      return;
+    }
+    const float noise = scratch.stripe_finder.noise();
+    ColumnMoments::measure(image, noise, track);
+    scratch.along.settle(track);
+    for (int i = 0; i < kMostPasses; ++i)
+    {
+      ColumnMoments::measure(image, noise, track);
+      scratch.along.join(track, params_.max_aperture_px);
+      if (i + 1 == kMostPasses || !scratch.along.moveReference(track))
+        break;
+    }
+    RidgeCentres::Limits limits{};
+    limits.least_light = static_cast<float>(params_.min_peak_counts * levels.count);
+    limits.noise = noise;
+    limits.saturation = static_cast<float>(levels.saturation);
+    limits.least_width = static_cast<float>(params_.min_stripe_width_px);
+    limits.most_width = static_cast<float>(params_.max_stripe_width_px);
+    scratch.ridge_centres.write(track, scratch.along, limits, image.width, stripe, workspace.aperture);
+    if (workspace.keep_trace)
+      scratch.ridge_centres.trace(track, stripe, workspace.initial);
+    stripe.status = stripe.empty() ? reasonForNone(image, levels, params_, scratch) : StripeStatus::Ok;
+  }
+
+private:
+  StripeParams params_;
+};
+}  // namespace
+
+std::unique_ptr<const StripeExtractor> makeRidge(const StripeParams& params)
+{
+  return std::make_unique<Ridge>(params);
+}
+}  // namespace weld_profiler

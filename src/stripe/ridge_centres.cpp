@@ -1,0 +1,173 @@
+#include "ridge_centres.h"
+
+#include <cmath>
+
+#include "multiversion.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr float kLightOverNoise = 4.0F;  // half the chance of one false column in 30 000
+constexpr float kNearlyAsGood = 0.5F;    // light, of the better, from which a second piece in a cell is worth a flag
+constexpr int kLeastCells = 5;           // of one piece
+constexpr int kSmallGap = 3;             // cells that may be missing inside a piece
+constexpr float kHalfPi = 1.57079625F;   // the largest float that is not beyond
+
+/// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
+WELD_PROFILER_KERNEL float arcTangent(float x)
+{
+  const float size = x < 0.0F ? -x : x;
+  const float argument = size > 1.0F ? 1.0F / size : size;
+  const float square = argument * argument;
+  const float angle =
+      argument *
+      (0.999866F + square * (-0.3302995F + square * (0.180141F + square * (-0.085133F + square * 0.0208351F))));
+  const float whole = size > 1.0F ? kHalfPi - angle : angle;
+  return x < 0.0F ? -whole : whole;
+}
+
+struct Finish
+{
+  struct In
+  {
+    int count;
+    RidgeCentres::Limits limits;
+    const float *slope, *row_sigma, *columns, *light, *column_width, *background, *peak, *ambiguous;
+    float *good, *angle, *intensity, *width, *sigma;
+    std::uint8_t* flags;
+  };
+  WELD_PROFILER_KERNEL static void run(In in)
+  {
+    const RidgeCentres::Limits limits = in.limits;
+    const float noise = kLightOverNoise * limits.noise;
+    float* __restrict good = in.good;
+    float* __restrict angle = in.angle;
+    float* __restrict intensity = in.intensity;
+    float* __restrict width = in.width;
+    float* __restrict sigma = in.sigma;
+    std::uint8_t* __restrict flags = in.flags;
+    for (int i = 0; i < in.count; ++i)
+    {
+      const float slope = in.slope[i];
+      const float along = arcTangent(slope);
+      const float cosine = 1.0F / __builtin_sqrtf(1.0F + slope * slope);
+      const float light = in.light[i];
+      const float across = in.column_width[i] * cosine;
+      const float room = limits.saturation - in.background[i];
+      angle[i] = along > 0.0F ? along - kHalfPi : along + kHalfPi;
+      intensity[i] = light < room ? light : room;
+      width[i] = across;
+      sigma[i] = in.row_sigma[i] * cosine;
+      const bool bright = light >= limits.least_light && light * light * in.column_width[i] >= noise * noise;
+      const bool wide = across >= limits.least_width && across <= limits.most_width;
+      good[i] = in.columns[i] > 0.0F && bright && wide ? light : 0.0F;
+    }
+    for (int i = 0; i < in.count; ++i)
+      flags[i] = static_cast<std::uint8_t>((in.peak[i] >= limits.saturation ? stripe_flag::kSaturated : 0) |
+                                           (in.ambiguous[i] > 0.0F ? stripe_flag::kAmbiguous : 0));
+  }
+};
+}  // namespace
+
+/// Of two pieces that overlap in a cell the brighter stays.
+void RidgeCentres::chooseSlots(const ColumnTrack& track, int cells)
+{
+  slots_.assign(static_cast<std::size_t>(cells), -1);
+  for (const ColumnTrack::Piece& piece : track.pieces)
+    for (int k = 0; k < piece.count; ++k)
+    {
+      const int slot = piece.slot + k;
+      if (!(good_[slot] > 0.0F))
+        continue;
+      int& chosen = slots_[piece.cell + k];
+      if (chosen >= 0)
+      {
+        const int dimmer = good_[chosen] < good_[slot] ? chosen : slot;
+        const int brighter = dimmer == slot ? chosen : slot;
+        const bool close = good_[dimmer] > kNearlyAsGood * good_[brighter];
+        flags_[brighter] |= close ? stripe_flag::kAmbiguous : 0;
+        chosen = brighter;
+      }
+      else
+        chosen = slot;
+    }
+}
+
+/// @return how many centres were appended; short pieces are taken back.
+std::size_t RidgeCentres::append(const ColumnTrack& /*track*/, const AlongStripe& along, Stripe& stripe,
+                                 std::vector<std::uint16_t>& aperture) const
+{
+  std::size_t count = 0;
+  std::size_t piece = 0;
+  int last = -1;
+  for (int cell = 0; cell < static_cast<int>(slots_.size()); ++cell)
+  {
+    const int slot = slots_[cell];
+    if (slot < 0)
+      continue;
+    if (cell - last > kSmallGap + 1)
+    {
+      if (count - piece < kLeastCells)
+        count = piece;
+      piece = count;
+    }
+    last = cell;
+    stripe.cell[count] = static_cast<std::uint16_t>(cell);
+    stripe.u[count] = static_cast<float>(cell);
+    stripe.v[count] = along.row()[slot];
+    stripe.normal_angle[count] = angle_[slot];
+    stripe.intensity[count] = intensity_[slot];
+    stripe.width[count] = width_[slot];
+    stripe.sigma[count] = sigma_[slot];
+    stripe.flags[count] = flags_[slot];
+    aperture[count] = static_cast<std::uint16_t>(along.aperture()[slot]);
+    ++count;
+  }
+  return count - piece < kLeastCells ? piece : count;
+}
+
+void RidgeCentres::trace(const ColumnTrack& track, const Stripe& stripe, std::vector<InitialPoint>& initial) const
+{
+  for (std::size_t i = 0; i < stripe.size(); ++i)
+  {
+    const int slot = slots_[stripe.cell[i]];
+    InitialPoint point;
+    point.u = point.block_u = stripe.u[i];
+    point.v = track.v[slot] + track.core[slot];
+    point.block_v = std::round(point.v);
+    initial.push_back(point);
+  }
+}
+
+void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, const Limits& limits, int cells,
+                         Stripe& stripe, std::vector<std::uint16_t>& aperture)
+{
+  for (std::vector<float>* field : { &good_, &angle_, &intensity_, &width_, &sigma_ })
+    field->resize(track.slots());
+  flags_.resize(track.slots());
+  const Finish::In in{ static_cast<int>(track.slots()),
+                       limits,
+                       along.slope().data(),
+                       along.sigma().data(),
+                       along.aperture().data(),
+                       track.light.data(),
+                       track.sigma.data(),
+                       track.background.data(),
+                       track.peak.data(),
+                       track.ambiguous.data(),
+                       good_.data(),
+                       angle_.data(),
+                       intensity_.data(),
+                       width_.data(),
+                       sigma_.data(),
+                       flags_.data() };
+  dispatch<Finish>(in);
+  chooseSlots(track, cells);
+  stripe.resize(static_cast<std::size_t>(cells));
+  aperture.resize(static_cast<std::size_t>(cells));
+  const std::size_t count = append(track, along, stripe, aperture);
+  stripe.resize(count);
+  aperture.resize(count);
+}
+}  // namespace weld_profiler

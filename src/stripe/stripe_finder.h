@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "group_path.h"
+#include "path_track.h"
+#include "pixels.h"
+
+namespace weld_profiler
+{
+/// Finds the stripe in a frame: sums of 8 columns in every n-th row, their peaks, the best path through the peaks, laid
+/// over the columns. The rows are thinned as far as a stripe can not slip through; where that shows too little, every
+/// row is read.
+class StripeFinder
+{
+public:
+  /// @param track  the stripe to a pixel or so; no pieces = no stripe.
+  void find(const ImageView& image, const Levels& levels, double min_peak_counts, ColumnTrack& track);
+
+  float noise() const { return noise_; }  ///< 1-sigma of one background pixel [grey levels]
+
+private:
+  void look(const ImageView& image, int row_step, float least_peak);
+  void measureNoise();
+  bool standsOut() const;
+
+  GroupSums sums_;
+  GroupPeaks peaks_;
+  GroupPath path_;
+  PathTrack laid_;
+  std::vector<PathNode> nodes_;
+  std::vector<int> steps_;
+  float noise_ = 0.0F;
+};
+}  // namespace weld_profiler
