@@ -9,6 +9,8 @@
 #include "channel.h"
 #include "continuity.h"
 #include "derivatives.h"
+#include "site_normals.h"
+#include "taylor_step.h"
 #include "weld_profiler/stripe/workspace.h"
 
 namespace weld_profiler
@@ -35,6 +37,9 @@ struct Workspace::Scratch
   LineScatter scatter;
   DerivativeKernel kernel;
   std::vector<double> widths;
+  Sites sites;
+  SiteNormals normals;
+  TaylorSteps steps;
   std::vector<std::uint8_t> filtered;  ///< the whole frame's median, of the literal reading only
 };
 }  // namespace weld_profiler

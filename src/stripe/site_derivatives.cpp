@@ -1,0 +1,162 @@
+#include "site_derivatives.h"
+
+#include <array>
+
+#include "lanes.h"
+
+namespace weld_profiler
+{
+namespace
+{
+/// The one-dimensional factors of a separable kernel, or the sums that they give down the columns.
+template <class Value>
+struct Three
+{
+  Value* smooth;
+  Value* first;
+  Value* second;
+};
+
+template <class Value>
+Three<Value> threeIn(std::vector<float>& values, std::size_t size)
+{
+  values.resize(3 * size);
+  return { values.data(), values.data() + size, values.data() + 2 * size };
+}
+
+struct DownTheColumns
+{
+  /// The factors are even (smooth, second) or odd (first): rows above and below the middle are taken together.
+  /// @param factors  from the middle one on.
+  /// @param count    columns; a whole vector is computed of the last ones.
+  struct Task
+  {
+    const float* middle;
+    std::ptrdiff_t pitch;
+    int count, reach;
+    Three<const float> factors;
+    Three<float> sums;
+  };
+
+  WELD_PROFILER_KERNEL static void run(Task task)
+  {
+    for (int at = 0; at < task.count; at += kLanes)
+    {
+      Lanes middle;
+      load(task.middle + at, middle);
+      Lanes smooth = task.factors.smooth[0] * middle;
+      Lanes first = {};
+      Lanes second = task.factors.second[0] * middle;
+      const float* above = task.middle + at;
+      const float* below = above;
+      for (int j = 1; j <= task.reach; ++j)
+      {
+        above -= task.pitch;
+        below += task.pitch;
+        Lanes a;
+        Lanes b;
+        load(above, a);
+        load(below, b);
+        const Lanes both = a + b;
+        smooth += task.factors.smooth[j] * both;
+        first += task.factors.first[j] * (b - a);
+        second += task.factors.second[j] * both;
+      }
+      store(smooth, task.sums.smooth + at);
+      store(first, task.sums.first + at);
+      store(second, task.sums.second + at);
+    }
+  }
+};
+
+struct RunDerivatives
+{
+  std::array<float, kMostRunColumns> x, y, xx, xy, yy;
+};
+
+struct AlongTheRow
+{
+  struct Task
+  {
+    Three<const float> sums;
+    Three<const float> factors;
+    int count, taps;
+  };
+
+  WELD_PROFILER_KERNEL static void run(Task task, RunDerivatives* result)
+  {
+    for (int at = 0; at < task.count; at += kLanes)
+    {
+      Lanes x = {};
+      Lanes y = {};
+      Lanes xx = {};
+      Lanes xy = {};
+      Lanes yy = {};
+      for (int j = 0; j < task.taps; ++j)
+      {
+        Lanes smooth;
+        Lanes first;
+        Lanes second;
+        load(task.sums.smooth + at + j, smooth);
+        load(task.sums.first + at + j, first);
+        load(task.sums.second + at + j, second);
+        x += task.factors.first[j] * smooth;
+        y += task.factors.smooth[j] * first;
+        xx += task.factors.second[j] * smooth;
+        xy += task.factors.first[j] * first;
+        yy += task.factors.smooth[j] * second;
+      }
+      store(x, result->x.data() + at);
+      store(y, result->y.data() + at);
+      store(xx, result->xx.data() + at);
+      store(xy, result->xy.data() + at);
+      store(yy, result->yy.data() + at);
+    }
+  }
+};
+}  // namespace
+
+void SiteDerivatives::measure(const ImageView& image, const DerivativeKernel& kernel, const Sites& sites)
+{
+  kernel.copyFactors(factors_);
+  for (std::vector<float>* values : { &x, &y, &xx, &xy, &yy })
+    values->resize(sites.size());
+  tiles_.reset(image, sites, kernel.reach());
+  while (tiles_.next())
+    for (const RowRun& run : tiles_.runs())
+      measureRun(sites, run, kernel.reach());
+}
+
+void SiteDerivatives::measureRun(const Sites& sites, const RowRun& run, int reach)
+{
+  const int from = sites[run.first].u;
+  const int count = sites[run.last].u - from + 1;
+  const int taps = 2 * reach + 1;
+  const float* factors = factors_.data();
+  // The pass along the row reads a vector beyond the last column's neighbourhood.
+  const Three<float> sums = threeIn<float>(sums_, kMostRunColumns + static_cast<std::size_t>(taps) + 2 * kLanes);
+  dispatch<DownTheColumns>(
+      DownTheColumns::Task{ tiles_.at(from - reach, run.row),
+                            tiles_.pitch(),
+                            count + 2 * reach,
+                            reach,
+                            { factors + reach, factors + taps + reach, factors + 2 * taps + reach },
+                            sums });
+  RunDerivatives result;
+  dispatch<AlongTheRow>(
+      AlongTheRow::Task{
+          { sums.smooth, sums.first, sums.second }, { factors, factors + taps, factors + 2 * taps }, count, taps },
+      &result);
+  for (std::size_t i = run.first; i <= run.last; ++i)
+  {
+    if (sites[i].v != run.row)
+      continue;
+    const auto at = static_cast<std::size_t>(sites[i].u - from);
+    x[i] = result.x[at];
+    y[i] = result.y[at];
+    xx[i] = result.xx[at];
+    xy[i] = result.xy[at];
+    yy[i] = result.yy[at];
+  }
+}
+}  // namespace weld_profiler

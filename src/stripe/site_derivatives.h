@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "band_tiles.h"
+#include "derivatives.h"
+
+namespace weld_profiler
+{
+/// DerivativeKernel::at() of many pixels at once, in single precision: down the columns of a row's neighbourhood first,
+/// then along it, so that neighbours share the work. Differs from at() by rounding, some 1e-6 of the grey levels.
+class SiteDerivatives
+{
+public:
+  /// @param sites  the kernel holds each of them.
+  void measure(const ImageView& image, const DerivativeKernel& kernel, const Sites& sites);
+
+  /// One value a site.
+  std::vector<float> x, y, xx, xy, yy;
+
+private:
+  void measureRun(const Sites& sites, const RowRun& run, int reach);
+
+  BandTiles tiles_;
+  std::vector<float> factors_;  ///< smooth, first, second, one after the other
+  std::vector<float> sums_;     ///< down the columns: smooth, first, second
+};
+}  // namespace weld_profiler
