@@ -73,7 +73,7 @@ void BandTiles::listRuns(std::size_t begin, std::size_t end, int top, int bottom
 
 void BandTiles::convert(int columns, int rows)
 {
-  pitch_ = columns + kLanes;
+  pitch_ = columns + kMostLanes;
   gray_.resize(std::max(gray_.size(), static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(rows)));
   withPixel(*image_,
             [&](auto pixel)

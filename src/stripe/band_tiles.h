@@ -47,7 +47,7 @@ public:
   /// Of the tile: every site belongs to one run.
   const std::vector<RowRun>& runs() const { return runs_; }
 
-  /// The pixel (u, v) of the tile; up to kLanes - 1 more may be read at the end of a row.
+  /// The pixel (u, v) of the tile; up to kMostLanes - 1 more may be read at the end of a row.
   const float* at(int u, int v) const
   {
     return gray_.data() + static_cast<std::ptrdiff_t>(v - top_) * pitch_ + (u - left_);

@@ -1,5 +1,6 @@
 #include "site_derivatives.h"
 
+#include <algorithm>
 #include <array>
 
 #include "lanes.h"
@@ -8,21 +9,11 @@ namespace weld_profiler
 {
 namespace
 {
-/// The one-dimensional factors of a separable kernel, or the sums that they give down the columns.
-template <class Value>
-struct Three
+/// The one-dimensional factors of a separable kernel.
+struct Factors
 {
-  Value* smooth;
-  Value* first;
-  Value* second;
+  const float *smooth, *first, *second;
 };
-
-template <class Value>
-Three<Value> threeIn(std::vector<float>& values, std::size_t size)
-{
-  values.resize(3 * size);
-  return { values.data(), values.data() + size, values.data() + 2 * size };
-}
 
 struct DownTheColumns
 {
@@ -34,13 +25,14 @@ struct DownTheColumns
     const float* middle;
     std::ptrdiff_t pitch;
     int count, reach;
-    Three<const float> factors;
-    Three<float> sums;
+    Factors factors;
+    SiteDerivatives::Sums sums;
   };
 
+  template <class Lanes>
   WELD_PROFILER_KERNEL static void run(Task task)
   {
-    for (int at = 0; at < task.count; at += kLanes)
+    for (int at = 0; at < task.count; at += kLanes<Lanes>)
     {
       Lanes middle;
       load(task.middle + at, middle);
@@ -78,14 +70,15 @@ struct AlongTheRow
 {
   struct Task
   {
-    Three<const float> sums;
-    Three<const float> factors;
+    SiteDerivatives::Sums sums;
+    Factors factors;
     int count, taps;
   };
 
+  template <class Lanes>
   WELD_PROFILER_KERNEL static void run(Task task, RunDerivatives* result)
   {
-    for (int at = 0; at < task.count; at += kLanes)
+    for (int at = 0; at < task.count; at += kLanes<Lanes>)
     {
       Lanes x = {};
       Lanes y = {};
@@ -123,30 +116,44 @@ void SiteDerivatives::measure(const ImageView& image, const DerivativeKernel& ke
     values->resize(sites.size());
   tiles_.reset(image, sites, kernel.reach());
   while (tiles_.next())
-    for (const RowRun& run : tiles_.runs())
-      measureRun(sites, run, kernel.reach());
+  {
+    // All runs down the columns before the first along its row: what was just written reads slowly at other places.
+    const std::vector<RowRun>& runs = tiles_.runs();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      sumDown(sites, runs[i], kernel.reach(), sumsOf(i, kernel.reach()));
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      sumAlong(sites, runs[i], kernel.reach(), sumsOf(i, kernel.reach()));
+  }
 }
 
-void SiteDerivatives::measureRun(const Sites& sites, const RowRun& run, int reach)
+SiteDerivatives::Sums SiteDerivatives::sumsOf(std::size_t run, int reach)
+{
+  // The pass along the row reads a vector beyond the last column's neighbourhood.
+  const std::size_t size = kMostRunColumns + 2 * static_cast<std::size_t>(reach) + 2 * kMostLanes;
+  sums_.resize(std::max(sums_.size(), 3 * size * tiles_.runs().size()));
+  float* first = sums_.data() + 3 * size * run;
+  return { first, first + size, first + 2 * size };
+}
+
+void SiteDerivatives::sumDown(const Sites& sites, const RowRun& run, int reach, const Sums& sums)
+{
+  const int from = sites[run.first].u - reach;
+  const int count = sites[run.last].u + reach - from + 1;
+  const int taps = 2 * reach + 1;
+  const float* middle = factors_.data() + reach;
+  dispatchLanes<DownTheColumns>(DownTheColumns::Task{
+      tiles_.at(from, run.row), tiles_.pitch(), count, reach, { middle, middle + taps, middle + 2 * taps }, sums });
+}
+
+void SiteDerivatives::sumAlong(const Sites& sites, const RowRun& run, int reach, const Sums& sums)
 {
   const int from = sites[run.first].u;
   const int count = sites[run.last].u - from + 1;
   const int taps = 2 * reach + 1;
   const float* factors = factors_.data();
-  // The pass along the row reads a vector beyond the last column's neighbourhood.
-  const Three<float> sums = threeIn<float>(sums_, kMostRunColumns + static_cast<std::size_t>(taps) + 2 * kLanes);
-  dispatch<DownTheColumns>(
-      DownTheColumns::Task{ tiles_.at(from - reach, run.row),
-                            tiles_.pitch(),
-                            count + 2 * reach,
-                            reach,
-                            { factors + reach, factors + taps + reach, factors + 2 * taps + reach },
-                            sums });
   RunDerivatives result;
-  dispatch<AlongTheRow>(
-      AlongTheRow::Task{
-          { sums.smooth, sums.first, sums.second }, { factors, factors + taps, factors + 2 * taps }, count, taps },
-      &result);
+  dispatchLanes<AlongTheRow>(AlongTheRow::Task{ sums, { factors, factors + taps, factors + 2 * taps }, count, taps },
+                             &result);
   for (std::size_t i = run.first; i <= run.last; ++i)
   {
     if (sites[i].v != run.row)

@@ -18,11 +18,19 @@ public:
   /// One value a site.
   std::vector<float> x, y, xx, xy, yy;
 
+  /// Of a run, down the columns: smoothed, first and second derivative; a value a column.
+  struct Sums
+  {
+    float *smooth, *first, *second;
+  };
+
 private:
-  void measureRun(const Sites& sites, const RowRun& run, int reach);
+  Sums sumsOf(std::size_t run, int reach);
+  void sumDown(const Sites& sites, const RowRun& run, int reach, const Sums& sums);
+  void sumAlong(const Sites& sites, const RowRun& run, int reach, const Sums& sums);
 
   BandTiles tiles_;
   std::vector<float> factors_;  ///< smooth, first, second, one after the other
-  std::vector<float> sums_;     ///< down the columns: smooth, first, second
+  std::vector<float> sums_;     ///< of all runs of a tile
 };
 }  // namespace weld_profiler

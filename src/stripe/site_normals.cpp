@@ -1,35 +1,28 @@
 #include "site_normals.h"
 
+#include <algorithm>
 #include <array>
 
 #include "axis.h"
-#include "lanes.h"
-#include "template_normal.h"
 
 namespace weld_profiler
 {
 namespace
 {
-constexpr int kTaps = 2 * kTemplateReach + 1;
-
-/// Of the gray down each column of a run's templates.
-struct ColumnMoments
-{
-  static constexpr int kSize = kMostRunColumns + kTaps + 2 * kLanes;  ///< the pass along the row reads a vector beyond
-  std::array<float, kSize> gray, y, yy, square;
-};
+using ColumnMoments = SiteNormals::ColumnMoments;
 
 struct MomentsDown
 {
+  template <class Lanes>
   WELD_PROFILER_KERNEL static void run(const float* top, std::ptrdiff_t pitch, int count, ColumnMoments* sums)
   {
-    for (int at = 0; at < count; at += kLanes)
+    for (int at = 0; at < count; at += kLanes<Lanes>)
     {
       Lanes gray = {};
       Lanes first = {};
       Lanes second = {};
       Lanes square = {};
-      for (int j = 0; j < kTaps; ++j)
+      for (int j = 0; j < kTemplateSize; ++j)
       {
         const auto y = static_cast<float>(j - kTemplateReach);
         Lanes value;
@@ -54,12 +47,13 @@ struct RunMoments
 
 struct MomentsAlong
 {
+  template <class Lanes>
   WELD_PROFILER_KERNEL static void run(const ColumnMoments* sums, int count, RunMoments* result)
   {
-    for (int at = 0; at < count; at += kLanes)
+    for (int at = 0; at < count; at += kLanes<Lanes>)
     {
       Lanes gray = {}, x = {}, y = {}, xx = {}, xy = {}, yy = {}, square = {};
-      for (int i = 0; i < kTaps; ++i)
+      for (int i = 0; i < kTemplateSize; ++i)
       {
         const auto place = static_cast<float>(i - kTemplateReach);
         Lanes column_gray, column_y, column_yy, column_square;
@@ -150,29 +144,39 @@ void SiteNormals::measureMoments(const ImageView& image, const Sites& sites)
     values->resize(sites.size());
   tiles_.reset(image, sites, kTemplateReach);
   while (tiles_.next())
-    for (const RowRun& run : tiles_.runs())
+  {
+    // All runs down the columns before the first along its row: what was just written reads slowly at other places.
+    const std::vector<RowRun>& runs = tiles_.runs();
+    sums_.resize(std::max(sums_.size(), runs.size()));
+    for (std::size_t i = 0; i < runs.size(); ++i)
     {
-      const int from = sites[run.first].u;
-      const int count = sites[run.last].u - from + 1;
-      ColumnMoments sums;
-      dispatch<MomentsDown>(tiles_.at(from - kTemplateReach, run.row - kTemplateReach), tiles_.pitch(),
-                            count + kTaps - 1, &sums);
-      RunMoments moments;
-      dispatch<MomentsAlong>(&sums, count, &moments);
-      for (std::size_t i = run.first; i <= run.last; ++i)
-      {
-        if (sites[i].v != run.row)
-          continue;
-        const auto at = static_cast<std::size_t>(sites[i].u - from);
-        gray_[i] = moments.gray[at];
-        x_[i] = moments.x[at];
-        y_[i] = moments.y[at];
-        xx_[i] = moments.xx[at];
-        xy_[i] = moments.xy[at];
-        yy_[i] = moments.yy[at];
-        square_[i] = moments.square[at];
-      }
+      const int from = sites[runs[i].first].u;
+      dispatchLanes<MomentsDown>(tiles_.at(from - kTemplateReach, runs[i].row - kTemplateReach), tiles_.pitch(),
+                                 sites[runs[i].last].u - from + kTemplateSize, &sums_[i]);
     }
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      sumAlong(sites, runs[i], sums_[i]);
+  }
+}
+
+void SiteNormals::sumAlong(const Sites& sites, const RowRun& run, const ColumnMoments& sums)
+{
+  const int from = sites[run.first].u;
+  RunMoments moments;
+  dispatchLanes<MomentsAlong>(&sums, sites[run.last].u - from + 1, &moments);
+  for (std::size_t i = run.first; i <= run.last; ++i)
+  {
+    if (sites[i].v != run.row)
+      continue;
+    const auto at = static_cast<std::size_t>(sites[i].u - from);
+    gray_[i] = moments.gray[at];
+    x_[i] = moments.x[at];
+    y_[i] = moments.y[at];
+    xx_[i] = moments.xx[at];
+    xy_[i] = moments.xy[at];
+    yy_[i] = moments.yy[at];
+    square_[i] = moments.square[at];
+  }
 }
 
 void SiteNormals::measureSvd(const ImageView& image, const Levels& levels, const Sites& sites)

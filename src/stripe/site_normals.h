@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "band_tiles.h"
+#include "lanes.h"
 #include "pixels.h"
+#include "template_normal.h"
 
 namespace weld_profiler
 {
@@ -19,10 +22,19 @@ public:
   /// One value a site: unit, v > 0, or v = 0 and u > 0; (0, 0) = `normal undefined`.
   std::vector<float> u, v;
 
+  /// Of a run, down the columns of its templates, a value a column; vector code reads two vectors beyond.
+  struct ColumnMoments
+  {
+    static constexpr int kCount = kMostRunColumns + kTemplateSize + 2 * kMostLanes;
+    std::array<float, kCount> gray, y, yy, square;
+  };
+
 private:
   void measureMoments(const ImageView& image, const Sites& sites);
+  void sumAlong(const Sites& sites, const RowRun& run, const ColumnMoments& sums);
 
   BandTiles tiles_;
+  std::vector<ColumnMoments> sums_;  ///< of all runs of a tile
   /// Of the gray in each template, about its block, one value a site.
   std::vector<float> gray_, x_, y_, xx_, xy_, yy_, square_;
 };
