@@ -166,9 +166,12 @@ std::string spreadTable(const std::vector<Kind>& kinds, const std::vector<Entry>
   table +=
       tableRow("a horizontal line, whatever the image shows", kinds,
                [](const Kind& kind) { return spreadsOfTruth(kind, [](TruthCentre& c) { return c.v = 0.0, true; }); });
-  table += quoted("the paper's Steger", { "419.5031, 8.8057", "377.3527, 7.0634", "391.7558, 7.4794", "378.2376, 8.0841" });
-  table += quoted("the paper's gray centroid", { "415.8365, 8.6983", "411.5613, 7.8676", "414.9933, 8.0887", "415.2557, 8.9220" });
-  return table + quoted("the paper's approach", { "415.8363, 8.7775", "406.0891, 7.7081", "406.0931, 7.7821", "401.8171, 8.5814" });
+  table +=
+      quoted("the paper's Steger", { "419.5031, 8.8057", "377.3527, 7.0634", "391.7558, 7.4794", "378.2376, 8.0841" });
+  table += quoted("the paper's gray centroid",
+                  { "415.8365, 8.6983", "411.5613, 7.8676", "414.9933, 8.0887", "415.2557, 8.9220" });
+  return table + quoted("the paper's approach",
+                        { "415.8363, 8.7775", "406.0891, 7.7081", "406.0931, 7.7821", "401.8171, 8.5814" });
 }
 
 std::string timeTable(const std::vector<Kind>& kinds, const std::vector<Entry>& entries)

@@ -24,7 +24,7 @@ struct Convert
 
 void BandTiles::reset(const ImageView& image, const Sites& sites, int reach)
 {
-  image_ = &image;
+  image_ = image;
   sites_ = &sites;
   reach_ = reach;
   begin_ = 0;
@@ -75,11 +75,11 @@ void BandTiles::convert(int columns, int rows)
 {
   pitch_ = columns + kMostLanes;
   gray_.resize(std::max(gray_.size(), static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(rows)));
-  withPixel(*image_,
+  withPixel(image_,
             [&](auto pixel)
             {
               for (int j = 0; j < rows; ++j)
-                dispatch<Convert>(image_->row<decltype(pixel)>(top_ + j) + left_, columns, gray_.data() + j * pitch_);
+                dispatch<Convert>(image_.row<decltype(pixel)>(top_ + j) + left_, columns, gray_.data() + j * pitch_);
             });
 }
 }  // namespace weld_profiler

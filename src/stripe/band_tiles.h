@@ -38,7 +38,8 @@ constexpr int kMostRunColumns = 64;  ///< sites[last].u - sites[first].u of a ru
 class BandTiles
 {
 public:
-  /// Begins anew. @param reach  rows and columns that the caller reads around each site, all inside the image.
+  /// Begins anew. @param sites  kept by the caller until the last tile.
+  /// @param reach  rows and columns that the caller reads around each site, all inside the image.
   void reset(const ImageView& image, const Sites& sites, int reach);
 
   /// The next tile. @return false: there is none.
@@ -58,7 +59,7 @@ private:
   void listRuns(std::size_t begin, std::size_t end, int top, int bottom);
   void convert(int columns, int rows);
 
-  const ImageView* image_ = nullptr;
+  ImageView image_;
   const Sites* sites_ = nullptr;
   int reach_ = 0;
   std::size_t begin_ = 0;
