@@ -80,6 +80,28 @@ TEST(SiteDerivatives, AreThoseOfThePixelsOneByOne)
     }
 }
 
+TEST(SiteDerivatives, OfASiteDoNotDependOnTheOthers)
+{
+  const Picture picture = noise(400, 120, 8);
+  DerivativeKernel kernel;
+  kernel.setGaussian(2.25);
+  const Sites all = sitesIn(picture, kernel.reach(), 0.1, 2);
+  Sites some;
+  for (std::size_t i = 1; i < all.size(); i += 3)
+    some.push_back(all[i]);
+  ASSERT_GT(some.size(), 50U);
+  SiteDerivatives of_all;
+  SiteDerivatives of_some;
+  of_all.measure(picture.view(), kernel, all);
+  of_some.measure(picture.view(), kernel, some);
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    // to the bit: how a stripe is cut into tiles changes nothing
+    ASSERT_EQ(of_some.y[i], of_all.y[3 * i + 1]);
+    ASSERT_EQ(of_some.xy[i], of_all.xy[3 * i + 1]);
+  }
+}
+
 TEST(SiteDerivatives, OfNoSitesAreNone)
 {
   const Picture picture = noise(40, 40, 8);
