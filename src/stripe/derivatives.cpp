@@ -84,6 +84,14 @@ void DerivativeKernel::finish()
                                         dot(first_.data(), first_.data(), first_.size()));
 }
 
+void DerivativeKernel::copyFactors(std::vector<float>& factors) const
+{
+  factors.clear();
+  for (const std::vector<double>* values : { &smooth_, &first_, &second_ })
+    for (const double value : *values)
+      factors.push_back(static_cast<float>(value));
+}
+
 bool DerivativeKernel::holds(const ImageView& image, int u, int v) const
 {
   return u >= reach_ && v >= reach_ && u < image.width - reach_ && v < image.height - reach_;

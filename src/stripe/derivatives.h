@@ -33,6 +33,10 @@ public:
   /// @param u, v  a pixel for which holds() is true.
   Derivatives at(const ImageView& image, int u, int v) const;
 
+  /// The kernel's one-dimensional factors in single precision, 2 reach() + 1 values each: smooth, then first and second
+  /// derivative; a two-dimensional derivative is the product of one along u and one along v.
+  void copyFactors(std::vector<float>& factors) const;
+
   /// 1-sigma of a first derivative across the stripe for a noise of one grey level.
   double noiseGain() const { return noise_gain_; }
 

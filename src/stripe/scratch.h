@@ -13,6 +13,8 @@
 #include "derivatives.h"
 #include "ridge_centres.h"
 #include "stripe_finder.h"
+#include "site_normals.h"
+#include "taylor_step.h"
 #include "weld_profiler/stripe/workspace.h"
 
 namespace weld_profiler
@@ -45,6 +47,9 @@ struct Workspace::Scratch
   LineScatter scatter;
   DerivativeKernel kernel;
   std::vector<double> widths;
+  Sites sites;
+  SiteNormals normals;
+  TaylorSteps steps;
   std::vector<std::uint8_t> filtered;  ///< the whole frame's median, of the literal reading only
 };
 }  // namespace weld_profiler

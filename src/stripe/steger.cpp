@@ -1,6 +1,5 @@
 #include "kernel_choice.h"
-#include "taylor_step.h"
-#include "template_method.h"
+#include "method.h"
 
 namespace weld_profiler
 {
@@ -19,8 +18,10 @@ protected:
   void refine(const ImageView& image, Workspace::Scratch& scratch) const override
   {
     chooseKernel(params(), scratch.centres, scratch.widths, scratch.kernel);
-    for (Centre& centre : scratch.centres)
-      stepToCentre(image, scratch.kernel, nullptr, scratch.statistics.noise, centre);
+    scratch.sites.clear();
+    for (std::size_t i = 0; i < scratch.centres.size(); ++i)
+      scratch.sites.push_back(Site{ i, scratch.centres[i].cell, nearestPixel(scratch.centres[i].v) });
+    scratch.steps.settle({ image, scratch.kernel, nullptr, scratch.statistics.noise }, scratch.sites, scratch.centres);
   }
 };
 }  // namespace

@@ -1,3 +1,4 @@
+#include "literal_reading.h"
 #include "template_method.h"
 
 namespace weld_profiler
@@ -7,6 +8,6 @@ std::unique_ptr<const StripeExtractor> makeSvd(const StripeParams& params)
 {
   if (params.taylor == "literal")
     return std::make_unique<LiteralReading>(params, svdNormal);
-  return std::make_unique<TemplateMethod>(params, svdNormal);
+  return std::make_unique<TemplateMethod>(params, &SiteNormals::measureSvd);
 }
 }  // namespace weld_profiler

@@ -1,24 +1,22 @@
 #include "template_method.h"
 
-#include <cmath>
-
 #include "kernel_choice.h"
-#include "taylor_step.h"
+#include "template_normal.h"
 
 namespace weld_profiler
 {
 void TemplateMethod::refine(const ImageView& image, Workspace::Scratch& scratch) const
 {
   chooseKernel(params(), scratch.centres, scratch.widths, scratch.kernel);
-  const Levels levels = levelsOf(image, params());
-  for (Centre& centre : scratch.centres)
+  scratch.sites.clear();
+  for (std::size_t i = 0; i < scratch.centres.size(); ++i)
   {
-    const Block block{ centre.cell, static_cast<int>(std::lround(centre.v)) };
-    if (!holdsTemplate(image, block))
-      continue;
-    const TemplateNormal normal = normal_(image, levels, block);
-    if (normal.defined)
-      stepToCentre(image, scratch.kernel, &normal, scratch.statistics.noise, centre);
+    const Block block{ scratch.centres[i].cell, nearestPixel(scratch.centres[i].v) };
+    if (holdsTemplate(image, block))
+      scratch.sites.push_back(Site{ i, block.u, block.v });
   }
+  (scratch.normals.*normals_)(image, levelsOf(image, params()), scratch.sites);
+  scratch.steps.settle({ image, scratch.kernel, &scratch.normals, scratch.statistics.noise }, scratch.sites,
+                       scratch.centres);
 }
 }  // namespace weld_profiler

@@ -2,13 +2,12 @@
 
 #include <cmath>
 
+#include "axis.h"
+
 namespace weld_profiler
 {
 namespace
 {
-constexpr double kLeastMoment = 1e-6;      ///< |(a, b)| over |P|^2
-constexpr double kLeastAnisotropy = 1e-9;  ///< difference of the eigenvalues over their sum
-
 /// Moments of the gray in a template, about its block.
 struct Moments
 {
@@ -60,8 +59,7 @@ bool holdsTemplate(const ImageView& image, const Block& block)
 TemplateNormal svdNormal(const ImageView& image, const Levels& levels, const Block& block)
 {
   const Moments sum = momentsOf(image, levels, block);
-  constexpr double kCoordinates = 196.0;  // sum(x^2) = sum(y^2) over the template
-  if (!(std::hypot(sum.x, sum.y) > kLeastMoment * (2.0 * kCoordinates + sum.square)))
+  if (!(std::hypot(sum.x, sum.y) > kLeastMoment * (kTemplateCoordinates + sum.square)))
     return {};
   return oriented(sum.x, sum.y);
 }
@@ -76,11 +74,8 @@ TemplateNormal pcaNormal(const ImageView& image, const Levels& levels, const Blo
   const double xx = sum.xx / sum.gray - x * x;
   const double xy = sum.xy / sum.gray - x * y;
   const double yy = sum.yy / sum.gray - y * y;
-  const double difference = std::hypot(xx - yy, 2.0 * xy);
-  if (!(difference > kLeastAnisotropy * (xx + yy)))
-    return {};
-  // The axis of the larger eigenvalue lies at half the angle of (xx - yy, 2 xy); the normal at a right angle to it.
-  const double along = 0.5 * std::atan2(2.0 * xy, xx - yy);
-  return oriented(-std::sin(along), std::cos(along));
+  TemplateNormal normal{ true };
+  const double difference = smallerAxis(xx - yy, 2.0 * xy, normal.u, normal.v);
+  return difference > kLeastAnisotropy * (xx + yy) ? normal : TemplateNormal{};
 }
 }  // namespace weld_profiler

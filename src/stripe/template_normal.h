@@ -17,7 +17,11 @@ struct Block
   int u = 0, v = 0;
 };
 
-constexpr int kTemplateReach = 3;  ///< the template is 7x7 pixels
+constexpr int kTemplateSize = 7;  ///< the template is 7x7 pixels
+constexpr int kTemplateReach = kTemplateSize / 2;
+constexpr double kTemplateCoordinates = 392.0;  ///< sum(x^2 + y^2) over it
+constexpr double kLeastMoment = 1e-6;           ///< |(a, b)| over |P|^2 that defines svdNormal()
+constexpr double kLeastAnisotropy = 1e-9;  ///< difference of the eigenvalues over their sum that defines pcaNormal()
 
 /// Whether the template around a pixel block lies inside the image.
 bool holdsTemplate(const ImageView& image, const Block& block);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "stripe/axis.h"
 #include "stripe/taylor_step.h"
 #include "support/render_stripe.h"
 
@@ -103,23 +104,27 @@ TEST(TaylorStep, GoesToTheTopOfAParabola)
   EXPECT_FALSE(taylorStep(d, up).maximum) << "a valley has no top";
 }
 
-TEST(HessianNormal, PointsAcrossARidge)
+TEST(SmallerAxis, PointsAcrossARidge)
 {
-  for (const double angle : { 0.1, 0.9, 1.5707963, 2.4 })
+  for (const double angle : { 0.0, 0.1, 0.785398, 0.9, 1.5707963, 2.4 })
   {
     // A ridge: curvature -4 across, -0.1 along.
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    Derivatives d;
-    d.xx = -4.0 * c * c - 0.1 * s * s;
-    d.xy = (-4.0 + 0.1) * c * s;
-    d.yy = -4.0 * s * s - 0.1 * c * c;
-    const TemplateNormal normal = hessianNormal(d);
-    ASSERT_TRUE(normal.defined);
-    EXPECT_NEAR(normal.u, c, 1e-9) << angle;
-    EXPECT_NEAR(normal.v, s, 1e-9) << angle;
+    const double xx = -4.0 * c * c - 0.1 * s * s;
+    const double xy = (-4.0 + 0.1) * c * s;
+    const double yy = -4.0 * s * s - 0.1 * c * c;
+    double u = 0.0;
+    double v = 0.0;
+    EXPECT_NEAR(smallerAxis(xx - yy, 2.0 * xy, u, v), 3.9, 1e-9) << "the eigenvalues' difference";
+    EXPECT_NEAR(u, c, 1e-9) << angle;
+    EXPECT_NEAR(v, s, 1e-9) << angle;
+    float u_single = 0.0F;
+    float v_single = 0.0F;
+    smallerAxis(static_cast<float>(xx - yy), static_cast<float>(2.0 * xy), u_single, v_single);
+    EXPECT_NEAR(u_single, c, 1e-6) << angle;
+    EXPECT_NEAR(v_single, s, 1e-6) << angle;
   }
-  EXPECT_FALSE(hessianNormal(Derivatives{}).defined);
 }
 }  // namespace
 }  // namespace weld_profiler
