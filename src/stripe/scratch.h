@@ -9,6 +9,7 @@
 #include "channel.h"
 #include "continuity.h"
 #include "derivatives.h"
+#include "gray_column.h"
 #include "weld_profiler/stripe/workspace.h"
 
 namespace weld_profiler
@@ -35,6 +36,8 @@ struct Workspace::Scratch
   LineScatter scatter;
   DerivativeKernel kernel;
   std::vector<double> widths;
+  GrayColumn column;
+  std::vector<double> gains;           ///< of the columns, of gauss_fit only
   std::vector<std::uint8_t> filtered;  ///< the whole frame's median, of the literal reading only
 };
 }  // namespace weld_profiler

@@ -20,6 +20,9 @@ const MethodEntry kMethods[] = {
   { "svd", makeSvd },
   { "pca", makePca },
   { "steger", makeSteger },
+  { "gauss_fit", makeGaussFit },
+  { "fir_peak", makeFirPeak },
+  { "log_parabola", makeLogParabola },
 };
 }  // namespace
 

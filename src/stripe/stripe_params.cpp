@@ -31,6 +31,7 @@ void StripeParams::validate() const
     requireRange("stripe/hessian_sigma_px (or 0)", hessian_sigma_px, 0.5, 20.0, "px");
   requireOneOf("stripe/derivatives", derivatives, Names{ "gaussian", "sobel" });
   requireOneOf("stripe/taylor", taylor, Names{ "sound", "literal" });
+  requireOneOf("stripe/fit", fit, Names{ "maximum_likelihood", "least_squares" });
   requireRange("stripe/max_gap_px", max_gap_px, 0, 1000, "px");
   requireRange("stripe/edge_trim_px", edge_trim_px, 0, 1000, "px");
 }

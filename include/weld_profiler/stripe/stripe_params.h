@@ -24,8 +24,9 @@ struct StripeParams
   double hessian_sigma_px = 0.0;  ///< Gaussian of the derivatives, 0.5..20 [px]; 0 = 1.155 times the stripe's width
   std::string derivatives = "gaussian";  ///< of svd and pca: gaussian, sobel (the paper)
   std::string taylor = "sound";          ///< sound: expanded where the derivatives are taken; literal: the paper's text
-  int max_gap_px = 20;                   ///< longest break repaired by a spline [px]; 0 = repair nothing
-  int edge_trim_px = 4;                  ///< cells at the image's edges never interpolated [px]
+  std::string fit = "maximum_likelihood";  ///< of gauss_fit: maximum_likelihood (read and shot noise), least_squares
+  int max_gap_px = 20;                     ///< longest break repaired by a spline [px]; 0 = repair nothing
+  int edge_trim_px = 4;                    ///< cells at the image's edges never interpolated [px]
 
   /// @throws ConfigError naming field, value and range.
   void validate() const;
@@ -48,6 +49,7 @@ struct StripeParams
     v("hessian_sigma_px", hessian_sigma_px);
     v("derivatives", derivatives);
     v("taylor", taylor);
+    v("fit", fit);
     v("max_gap_px", max_gap_px);
     v("edge_trim_px", edge_trim_px);
   }
