@@ -13,6 +13,7 @@ constexpr int kLeastHalf = 3;          ///< 7 rows for 4 unknowns, however narro
 constexpr double kAstraySigmas = 1.0;  ///< from the centroid; a fit that went farther follows something else
 constexpr double kNarrower = 0.4;      ///< share of the centroid's width that a fit may tell
 constexpr double kWider = 2.5;
+constexpr std::size_t kGainColumns = 128;  ///< that tell the gain, to 6 %
 
 /// A Gaussian (amplitude, centre, sigma, background) fitted to each column.
 ///
@@ -62,12 +63,14 @@ private:
            fit.model.sigma >= kNarrower * centre.sigma_column && fit.model.sigma <= kWider * centre.sigma_column;
   }
 
-  /// The median of what the columns tell: a spatter in some of them says nothing about the noise.
+  /// The median of what some columns tell: a spatter in some of them says nothing about the noise.
   double typicalGain(const ImageView& image, const PixelNoise& noise, Workspace::Scratch& scratch) const
   {
     scratch.gains.clear();
-    for (const Centre& centre : scratch.centres)
+    const std::size_t stride = std::max<std::size_t>(1, scratch.centres.size() / kGainColumns);
+    for (std::size_t i = 0; i < scratch.centres.size(); i += stride)
     {
+      const Centre& centre = scratch.centres[i];
       const GaussFit fit = fitTo(image, noise, centre, scratch.column);
       if (isTheStripe(fit, centre))
         scratch.gains.push_back(gainOf(scratch.column, fit.model, noise.read));
