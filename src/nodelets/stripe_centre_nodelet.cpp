@@ -59,6 +59,7 @@ private:
   {
     StripeParams wanted = params_;
     wanted.method = config.method;
+    wanted.fit = config.fit;
     wanted.channel = config.channel;
     wanted.min_peak_counts = config.min_peak_counts;
     wanted.min_stripe_width_px = config.min_stripe_width_px;
@@ -78,6 +79,7 @@ private:
       NODELET_ERROR_STREAM(error.what() << "; the settings stay as they were");
     }
     config.method = params_.method;
+    config.fit = params_.fit;
     config.channel = params_.channel;
     config.min_peak_counts = params_.min_peak_counts;
     config.min_stripe_width_px = params_.min_stripe_width_px;

@@ -40,4 +40,7 @@ std::unique_ptr<const StripeExtractor> makeSvd(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makePca(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makeSteger(const StripeParams& params);
 std::unique_ptr<const StripeExtractor> makeRidge(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeGaussFit(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeFirPeak(const StripeParams& params);
+std::unique_ptr<const StripeExtractor> makeLogParabola(const StripeParams& params);
 }  // namespace weld_profiler

@@ -15,6 +15,7 @@
 #include "stripe_finder.h"
 #include "site_normals.h"
 #include "taylor_step.h"
+#include "gray_column.h"
 #include "weld_profiler/stripe/workspace.h"
 
 namespace weld_profiler
@@ -50,6 +51,8 @@ struct Workspace::Scratch
   Sites sites;
   SiteNormals normals;
   TaylorSteps steps;
+  GrayColumn column;
+  std::vector<double> gains;           ///< of the columns, of gauss_fit only
   std::vector<std::uint8_t> filtered;  ///< the whole frame's median, of the literal reading only
 };
 }  // namespace weld_profiler

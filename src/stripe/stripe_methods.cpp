@@ -21,6 +21,9 @@ const MethodEntry kMethods[] = {
   { "pca", makePca },
   { "steger", makeSteger },
   { "ridge", makeRidge },
+  { "gauss_fit", makeGaussFit },
+  { "fir_peak", makeFirPeak },
+  { "log_parabola", makeLogParabola },
 };
 }  // namespace
 

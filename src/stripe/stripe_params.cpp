@@ -33,6 +33,7 @@ void StripeParams::validate() const
   requireOneOf("stripe/taylor", taylor, Names{ "sound", "literal" });
   if (max_aperture_px != 3 && max_aperture_px != 9 && max_aperture_px != 27)
     throw ConfigError("stripe/max_aperture_px is " + std::to_string(max_aperture_px) + ", must be one of: 3, 9, 27");
+  requireOneOf("stripe/fit", fit, Names{ "maximum_likelihood", "least_squares" });
   requireRange("stripe/max_gap_px", max_gap_px, 0, 1000, "px");
   requireRange("stripe/edge_trim_px", edge_trim_px, 0, 1000, "px");
 }

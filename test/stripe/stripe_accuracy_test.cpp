@@ -51,9 +51,10 @@ class StripeAccuracy : public ::testing::TestWithParam<double>
 TEST_P(StripeAccuracy, IsThatOfTheFieldOrBetter)
 {
   // The bound of one column is 23 mpx here; limits are the measured values and a tenth.
-  const std::map<std::string, double> limits = {
-    { "gray_centroid", 40.0 }, { "squared_centroid", 29.0 }, { "svd", 16.0 }, { "pca", 14.0 }, { "steger", 14.0 }
-  };
+  const std::map<std::string, double> limits = { { "gray_centroid", 40.0 }, { "squared_centroid", 29.0 },
+                                                 { "svd", 16.0 },           { "pca", 14.0 },
+                                                 { "steger", 14.0 },        { "gauss_fit", 29.0 },
+                                                 { "fir_peak", 29.0 },      { "log_parabola", 35.0 } };
   for (const auto& limit : limits)
   {
     const Error error = measure(test_support::paramsOf(limit.first), GetParam() + 0.17);
@@ -70,7 +71,8 @@ INSTANTIATE_TEST_SUITE_P(Slopes, StripeAccuracy, ::testing::Values(0.0, 15.0, 30
 
 TEST(StripeAccuracy, HasNoBiasAtAnySubPixelOffsetWithoutNoise)
 {
-  for (const char* method : { "gray_centroid", "squared_centroid", "svd", "pca", "steger" })
+  for (const char* method :
+       { "gray_centroid", "squared_centroid", "svd", "pca", "steger", "gauss_fit", "fir_peak", "log_parabola" })
     for (double offset = 0.0; offset < 1.0; offset += 0.0625)
     {
       test_support::StripePicture scene = test_support::straight(0.0, 30.0 + offset);

@@ -46,6 +46,7 @@ std::vector<Refusal> refusals()
     { "derivatives", [](StripeParams& p) { p.derivatives = "scharr"; } },
     { "taylor", [](StripeParams& p) { p.taylor = "third"; } },
     { "max_aperture_px", [](StripeParams& p) { p.max_aperture_px = 5; } },
+    { "fit", [](StripeParams& p) { p.fit = "likelihood"; } },
     { "max_gap_px", [](StripeParams& p) { p.max_gap_px = -1; } },
     { "edge_trim_px", [](StripeParams& p) { p.edge_trim_px = 2000; } },
   };
@@ -87,10 +88,11 @@ TEST(StripeMethods, AreListedWhenANameIsUnknown)
   }
 }
 
-TEST(StripeMethods, HoldThePapersAndThoseItComparesItselfWith)
+TEST(StripeMethods, HoldThePapersAndThoseToCompareThemWith)
 {
   const std::vector<std::string> names = stripeMethods();
-  for (const char* name : { "svd", "pca", "steger", "gray_centroid", "squared_centroid" })
+  for (const char* name :
+       { "svd", "pca", "steger", "gray_centroid", "squared_centroid", "gauss_fit", "fir_peak", "log_parabola" })
     EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
 }
 }  // namespace

@@ -27,6 +27,9 @@ struct StripeParams
   int max_aperture_px = 27;  ///< of ridge: columns that one centre may be measured over: 3, 9, 27 [px]
   int max_gap_px = 20;                   ///< longest break repaired by a spline [px]; 0 = repair nothing
   int edge_trim_px = 4;                  ///< cells at the image's edges never interpolated [px]
+  std::string fit = "maximum_likelihood";  ///< of gauss_fit: maximum_likelihood (read and shot noise), least_squares
+  int max_gap_px = 20;                     ///< longest break repaired by a spline [px]; 0 = repair nothing
+  int edge_trim_px = 4;                    ///< cells at the image's edges never interpolated [px]
 
   /// @throws ConfigError naming field, value and range.
   void validate() const;
@@ -50,6 +53,7 @@ struct StripeParams
     v("derivatives", derivatives);
     v("taylor", taylor);
     v("max_aperture_px", max_aperture_px);
+    v("fit", fit);
     v("max_gap_px", max_gap_px);
     v("edge_trim_px", edge_trim_px);
   }
