@@ -1,0 +1,215 @@
+// The grid of clean noise: every method against the truth and the bound.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "comparison/bound.h"
+#include "comparison/context.h"
+#include "comparison/reach.h"
+#include "comparison/scenes.h"
+
+namespace weld_profiler
+{
+namespace comparison
+{
+using test_support::StripePicture;
+
+namespace
+{
+const double kSnrs[] = { 20.0, 50.0, 100.0 };
+const double kSigmas[] = { 1.5, 2.0, 3.0, 5.0 };
+const double kSlopes[] = { 0.0, 15.0, 30.0, 45.0, 60.0 };
+constexpr double kOff = 0.17;  ///< off the whole degrees, so that every sub-pixel place occurs [deg]
+constexpr int kMargin = 30;    ///< columns at the image's ends that are not judged
+
+struct Cell
+{
+  double snr = 0.0, sigma = 0.0, degrees = 0.0;
+
+  double slope() const { return std::tan((degrees + kOff) * kDegree); }
+  std::string text() const
+  {
+    char line[64];
+    std::snprintf(line, sizeof line, "SNR %g sigma %g %g deg", snr, sigma, degrees);
+    return line;
+  }
+};
+
+struct Ratios
+{
+  double of_column = 0.0, of_used = 0.0;
+};
+
+/// Peak and background leave five sigmas of the noise to both ends of the grey scale.
+StripePicture sceneOf(const Cell& cell)
+{
+  StripePicture scene = straightScene(cell.sigma, cell.degrees + kOff, 0);
+  scene.snr = cell.snr;
+  scene.peak = 180.0;
+  scene.background = 32.0;
+  return scene;
+}
+
+class Grid
+{
+public:
+  explicit Grid(Context& context) : context_(context) {}
+
+  void run()
+  {
+    context_.report().table("clean",
+                            "straight stripes in clean noise; RMSE across [mpx], ratio to the bound of one "
+                            "column / of the columns used");
+    for (const double sigma : kSigmas)
+      for (const double degrees : kSlopes)
+      {
+        const Cell first{ kSnrs[0], sigma, degrees };
+        const std::vector<double> light = lightOf(sceneOf(first));
+        for (const double snr : kSnrs)
+          runCell(Cell{ snr, sigma, degrees }, light);
+      }
+    printTables();
+    accept();
+  }
+
+private:
+  void runCell(const Cell& cell, const std::vector<double>& light)
+  {
+    StripePicture scene = sceneOf(cell);
+    const Bound bound({ cell.sigma, cell.slope(), scene.peak, scene.background, cell.snr, scene.clip });
+    std::map<std::string, Score> scores;
+    CandidateSettings settings;
+    settings.stripe_sigma = cell.sigma;
+    std::map<std::string, std::unique_ptr<Candidate>> candidates;
+    for (const std::string& name : context_.options().methods)
+      candidates[name] = makeCandidate(name, settings);
+    const int seeds = context_.seeds(36);
+    Stripe stripe;
+    for (int seed = 0; seed < seeds; ++seed)
+    {
+      scene.seed = 7000U + 100U * static_cast<unsigned>(cell.snr) + static_cast<unsigned>(seed);
+      Sample sample{ scene, render(scene, light), {} };
+      for (int u = 0; u < scene.width; ++u)
+        sample.expected.push_back(u < kMargin || u >= scene.width - kMargin ? Expected::Optional : Expected::Centre);
+      for (auto& [name, candidate] : candidates)
+      {
+        candidate->reset();
+        candidate->process(sample.picture.raw(), stripe);
+        scores[name].add(sample, stripe, *candidate);
+      }
+    }
+    for (const std::string& name : context_.options().methods)
+      keep(cell, bound, name, scores[name]);
+  }
+
+  void keep(const Cell& cell, const Bound& bound, const std::string& name, const Score& score)
+  {
+    // The bound of each centre's own columns; the mean square of them is what the mean square error is held against.
+    double squares = 0.0, columns = 0.0;
+    for (int told : score.columns_told)
+    {
+      if (told == 0)
+        told = columnsUsed(name, cell);
+      columns += told;
+      squares += std::pow(boundOf(bound, told, cell), 2.0);
+    }
+    const auto count = static_cast<double>(score.columns_told.size());
+    const double used = std::sqrt(squares / count), column = boundOf(bound, 1, cell);
+    const double rmse = score.measured.rmse();
+    const Ratios ratios{ rmse / column, rmse / used };
+    results_[name].emplace_back(cell, ratios);
+    rmse_[name].push_back(1e3 * rmse);
+    context_.noteHonesty("clean " + cell.text(), name, score);
+    context_.report().row({ { "method", name },
+                            { "snr", cell.snr },
+                            { "sigma", cell.sigma },
+                            { "degrees", cell.degrees },
+                            { "rmse_mpx", 1e3 * rmse },
+                            { "bias_mpx", 1e3 * score.measured.bias() },
+                            { "bound_of_column_mpx", 1e3 * column },
+                            { "bound_of_used_mpx", 1e3 * used },
+                            { "columns", columns / count },
+                            { "ratio_column", ratios.of_column },
+                            { "ratio_used", ratios.of_used },
+                            { "honesty", score.measured.honesty() },
+                            { "outliers_percent", score.outlierPercent() },
+                            { "missing_percent", score.missingPercent() } },
+                          Report::Silent);
+  }
+
+  /// What the method tells, or what disturbing its pixels shows: depends on width and slope alone.
+  int columnsUsed(const std::string& name, const Cell& cell)
+  {
+    const std::string key = name + std::to_string(cell.sigma) + "/" + std::to_string(cell.degrees);
+    const auto known = reach_.find(key);
+    if (known != reach_.end())
+      return known->second;
+    return reach_[key] = columnsByDisturbing(name, cell.sigma, cell.degrees + kOff);
+  }
+
+  double boundOf(const Bound& bound, int columns, const Cell& cell)
+  {
+    if (cell.text() != bounded_)
+      bounds_.clear();
+    bounded_ = cell.text();
+    const auto known = bounds_.find(columns);
+    return known != bounds_.end() ? known->second : bounds_[columns] = bound.ofColumns(columns);
+  }
+
+  void printTables()
+  {
+    for (const std::string& name : context_.options().methods)
+    {
+      std::printf("\n%s: RMSE [mpx] (ratio to the bound of one column, of the columns used)\n", name.c_str());
+      std::printf("%-18s", "");
+      for (const double degrees : kSlopes)
+        std::printf(" %10.0f deg        ", degrees);
+      std::printf("\n");
+      for (const double snr : kSnrs)
+        for (const double sigma : kSigmas)
+        {
+          std::printf("SNR %3.0f sigma %3.1f ", snr, sigma);
+          for (std::size_t i = 0; i < results_[name].size(); ++i)
+          {
+            const auto& [cell, ratios] = results_[name][i];
+            if (cell.snr == snr && cell.sigma == sigma)
+              std::printf(" %7.2f (%5.2f %5.2f)", rmse_[name][i], ratios.of_column, ratios.of_used);
+          }
+          std::printf("\n");
+        }
+    }
+  }
+
+  void accept()
+  {
+    const std::string method = defaultMethod();
+    if (results_.count(method) == 0)
+      return;
+    const auto worst = [&](double Ratios::*ratio)
+    {
+      return *std::max_element(results_[method].begin(), results_[method].end(),
+                               [=](const auto& a, const auto& b) { return a.second.*ratio < b.second.*ratio; });
+    };
+    const auto used = worst(&Ratios::of_used), column = worst(&Ratios::of_column);
+    context_.report().accept({ "clean noise: RMSE / bound of the columns used, worst of the grid", used.second.of_used,
+                               1.10, 1.03, false, "x", used.first.text() });
+    context_.report().accept({ "clean noise: RMSE / bound of one column, worst of the grid", column.second.of_column,
+                               0.75, 0.5, false, "x", column.first.text() });
+  }
+
+  Context& context_;
+  std::map<std::string, std::vector<std::pair<Cell, Ratios>>> results_;
+  std::map<std::string, std::vector<double>> rmse_;
+  std::map<std::string, int> reach_;
+  std::string bounded_;
+  std::map<int, double> bounds_;
+};
+}  // namespace
+
+void compareClean(Context& context)
+{
+  Grid(context).run();
+}
+}  // namespace comparison
+}  // namespace weld_profiler

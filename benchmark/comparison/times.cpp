@@ -1,0 +1,201 @@
+// Time a frame of every method, held against one SIMD sum of the same frame, both measured in turn.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "comparison/context.h"
+#include "comparison/ghosts.h"
+#include "comparison/simd_sum.h"
+
+namespace weld_profiler
+{
+namespace comparison
+{
+using test_support::Picture;
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+constexpr double kCycleBytes = 100e6;  ///< of frames gone through in turn: more than a cache holds
+constexpr double kBudget = 1.2;        ///< for one measurement [s]
+constexpr std::size_t kLeastRounds = 31, kMostRounds = 1500;
+
+struct Size
+{
+  int width, height;
+};
+
+/// A weld that sways by 3 px, closed in itself, each frame with noise of its own.
+std::vector<Picture> framesOf(const Size& size)
+{
+  const auto count = static_cast<int>(std::ceil(kCycleBytes / (1.0 * size.width * size.height)));
+  std::vector<Picture> frames;
+  for (int i = 0; i < count; ++i)
+  {
+    test_support::StripePicture scene = weldScene(size.width, size.height);
+    const auto row = scene.row;
+    const double sway = 3.0 * std::sin(2.0 * 3.14159265358979 * i / count);
+    scene.row = [=](double u) { return row(u) + sway; };
+    scene.seed = 5000U + static_cast<unsigned>(i);
+    frames.push_back(render(scene));
+  }
+  return frames;
+}
+
+/// Medians over rounds [s], and the quartiles of the contestant's.
+struct Timing
+{
+  double sum = 0.0, own = 0.0, low = 0.0, high = 0.0;
+  double ratio() const { return own / sum; }
+};
+
+double quantile(std::vector<double>& values, double share)
+{
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+template <class Work>
+double seconds(Work&& work)
+{
+  const auto begin = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+enum class Memory
+{
+  Cold,
+  Warm
+};
+
+enum class Stream
+{
+  Followed,
+  SearchedAnew  ///< reset before each frame
+};
+
+/// Sum and contestant in turn. Cold: half a cycle apart, so that either finds a frame that the caches have lost.
+Timing measure(Candidate& candidate, const std::vector<Picture>& frames, Memory memory, Stream stream)
+{
+  std::vector<double> sums, owns;
+  Stripe stripe;
+  static volatile std::uint64_t kept = 0;  // the sum must not be optimised away
+  const auto begin = Clock::now();
+  for (std::size_t round = 0; round < kMostRounds + 3; ++round)
+  {
+    const std::size_t own = memory == Memory::Cold ? round % frames.size() : 0;
+    const std::size_t other = memory == Memory::Cold ? (round + frames.size() / 2) % frames.size() : 0;
+    const RawImage image = frames[own].raw();
+    if (stream == Stream::SearchedAnew)
+      candidate.reset();
+    const double time = seconds([&] { candidate.process(image, stripe); });
+    const std::vector<std::uint8_t>& bytes = frames[other].bytes;
+    const double sum = seconds([&] { kept = simdSum(bytes.data(), bytes.size()); });
+    if (round < 3)  // warms up
+      continue;
+    owns.push_back(time);
+    sums.push_back(sum);
+    const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (owns.size() >= kLeastRounds && spent > kBudget)
+      break;
+  }
+  return Timing{ quantile(sums, 0.5), quantile(owns, 0.5), quantile(owns, 0.25), quantile(owns, 0.75) };
+}
+
+std::unique_ptr<Candidate> timed(const std::string& name)
+{
+  CandidateSettings settings;
+  settings.trace = false;
+  return makeCandidate(name, settings);
+}
+
+/// Both of a pair by name, and how many times faster the second is.
+void acceptFaster(Context& context, const std::map<std::string, Timing>& cold, const Acceptance& line,
+                  const std::pair<std::string, std::string>& pair)
+{
+  const auto slow = cold.find(pair.first), fast = cold.find(pair.second);
+  if (slow == cold.end() || fast == cold.end() || slow == fast)
+    return;
+  Acceptance filled = line;
+  filled.value = slow->second.own / fast->second.own;
+  filled.higher_is_better = true;
+  filled.unit = "x";
+  context.report().accept(filled);
+}
+}  // namespace
+
+void compareTimes(Context& context)
+{
+  Report& report = context.report();
+  const std::vector<Picture> frames = framesOf({ 1440, 1080 });
+  report.table("times", std::string("one frame of 1440x1080 mono8, one thread, medians [us]; ratio to one ") +
+                            simdSumPath() + " sum of a frame in the same loop; quartiles of the cold time");
+  std::map<std::string, Timing> cold;
+  for (const std::string& name : context.options().methods)
+  {
+    const std::unique_ptr<Candidate> candidate = timed(name);
+    const Timing far = measure(*candidate, frames, Memory::Cold, Stream::Followed);
+    const Timing anew = measure(*candidate, frames, Memory::Cold, Stream::SearchedAnew);
+    const Timing near = measure(*candidate, frames, Memory::Warm, Stream::Followed);
+    const Timing near_anew = measure(*candidate, frames, Memory::Warm, Stream::SearchedAnew);
+    cold[name] = far;
+    report.row({ { "method", name },
+                 { "cold_us", 1e6 * far.own, 1 },
+                 { "ratio", far.ratio() },
+                 { "quartile", 1e6 * far.low, 1 },
+                 { "quartile3", 1e6 * far.high, 1 },
+                 { "anew_us", 1e6 * anew.own, 1 },
+                 { "anew_ratio", anew.ratio() },
+                 { "warm_us", 1e6 * near.own, 1 },
+                 { "warm_ratio", near.ratio() },
+                 { "warm_anew_us", 1e6 * near_anew.own, 1 },
+                 { "warm_anew_ratio", near_anew.ratio() },
+                 { "sum_cold_us", 1e6 * far.sum, 1 },
+                 { "sum_warm_us", 1e6 * near.sum, 1 } });
+    if (name != defaultMethod())
+      continue;
+    const std::string anew_text = "searched anew: ";
+    report.accept({ "default, time / SIMD sum, 1440x1080, warm", near.ratio(), 5.0, 3.0, false, "x",
+                    anew_text + std::to_string(near_anew.ratio()).substr(0, 5) });
+    report.accept({ "default, time / SIMD sum, 1440x1080, from memory", far.ratio(), 3.5, 2.0, false, "x",
+                    anew_text + std::to_string(anew.ratio()).substr(0, 5) });
+  }
+  const std::string own = defaultMethod();
+  acceptFaster(context, cold, { "default against plain OpenCV Steger on the frame, times faster", 0, 400, 1000 },
+               { "opencv_steger", own });
+  acceptFaster(context, cold, { "default against Steger in the same band, times faster", 0, 5, 10 }, { "steger", own });
+  acceptFaster(context, cold, { "svd in its band against svd plain, times faster", 0, 25, 25 }, { "svd_plain", "svd" });
+}
+
+void compareSizes(Context& context)
+{
+  Report& report = context.report();
+  report.table("sizes", "time from memory against the image's size: [us], and ratio to one SIMD sum of the frame");
+  double first = 0.0, most = 0.0;
+  for (const Size& size : { Size{ 640, 480 }, Size{ 1440, 1080 }, Size{ 2048, 1536 }, Size{ 4096, 3000 } })
+  {
+    const std::vector<Picture> frames = framesOf(size);
+    for (const std::string& name : context.options().methods)
+    {
+      const Timing timing = measure(*timed(name), frames, Memory::Cold, Stream::Followed);
+      report.row({ { "width", size.width, 0 },
+                   { "height", size.height, 0 },
+                   { "method", name.substr(0, 19) },
+                   { "cold_us", 1e6 * timing.own, 1 },
+                   { "sum_us", 1e6 * timing.sum, 1 },
+                   { "ratio", timing.ratio() } });
+      if (name != defaultMethod())
+        continue;
+      (size.width == 640 ? first : most) = std::max(size.width == 640 ? 0.0 : most, timing.ratio());
+    }
+  }
+  if (first > 0.0)
+    report.accept({ "ratio to the SIMD sum from memory: largest of the larger sizes / that at 640x480", most / first,
+                    1.0, 1.0, false, "x", "" });
+}
+}  // namespace comparison
+}  // namespace weld_profiler
