@@ -143,7 +143,7 @@ void compareRepair(Context& context)
         for (int u = 35; u < 350; ++u)
           lost += sample.expected[static_cast<std::size_t>(u)] != Expected::Centre ? 1 : 0;
       context.noteHonesty("gap of " + std::to_string(gap), name, score);
-      report.row({ { "gap", gap, 0 },
+      report.row({ { "gap", 1.0 * gap, 0 },
                    { "method", name.substr(0, 19) },
                    { "filled_mpx", 1e3 * score.interpolated.rmse(), 1 },
                    { "filled%", 100.0 * static_cast<double>(score.interpolated.count) / static_cast<double>(lost), 1 },

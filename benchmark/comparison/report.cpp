@@ -48,7 +48,8 @@ void printLine(const std::vector<std::string>& texts, const std::vector<std::str
 {
   std::printf("%-26s", texts.front().c_str());
   for (std::size_t i = 1; i < texts.size(); ++i)
-    std::printf("  %*s", static_cast<int>(std::max<std::size_t>(head[i].size(), 8)), texts[i].c_str());
+    std::printf("  %*s", head[i] == "method" ? 20 : static_cast<int>(std::max<std::size_t>(head[i].size(), 8)),
+                texts[i].c_str());
   std::printf("\n");
 }
 

@@ -72,7 +72,7 @@ void compareSystematic(Context& context)
                                    { "sigma", sigma },
                                    { "degrees", degrees },
                                    { "integrated", integrated ? 1.0 : 0.0, 0 },
-                                   { "bits", bits, 0 },
+                                   { "bits", 1.0 * bits, 0 },
                                    { "rms_mpx", 1e3 * score.measured.rmse() },
                                    { "largest_mpx", 1e3 * score.measured.largest },
                                    { "outliers", static_cast<double>(score.outliers), 0 },
