@@ -96,7 +96,7 @@ private:
       scene.seed = 7000U + 100U * static_cast<unsigned>(cell.snr) + static_cast<unsigned>(seed);
       Sample sample{ scene, render(scene, light), {} };
       for (int u = 0; u < scene.width; ++u)
-        sample.expected.push_back(u < kMargin || u >= scene.width - kMargin ? Expected::Optional : Expected::Centre);
+        sample.expected.push_back(u < kMargin || u >= scene.width - kMargin ? Expected::Beyond : Expected::Centre);
       for (auto& [name, candidate] : candidates)
       {
         if (seed >= (name == defaultMethod() ? own_seeds : seeds))

@@ -71,7 +71,7 @@ void compareScenes(Context& context)
       const double bias = score.measured.bias();
       if (!scene.centre_defined)
         takeOffsetOff(score);
-      if (scene.noise)
+      if (scene.noise && !scene.beyond_the_bar)
         context.noteHonesty(scene.name, name, score);
       const auto points = static_cast<double>(std::max<std::size_t>(score.points, 1));
       report.row({ { "scene", scene.name },

@@ -14,7 +14,9 @@ using test_support::StripePicture;
 namespace
 {
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kMargin = 12;  ///< columns at the ends of a scene that are not judged
+constexpr int kMargin = 12;         ///< columns at the ends of a scene that are not judged
+constexpr double kSoftEnd = 1.5;    ///< of a stripe that fades, 1-sigma [px]
+constexpr int kLongestRepair = 20;  ///< StripeParams::max_gap_px
 /// Camera of the scenes whose noise does not follow from an SNR: 2 DN read noise, 25 electrons a grey level.
 constexpr double kReadNoise = 2.0, kShotGain = 0.04;
 
@@ -53,18 +55,19 @@ Sample saturated(double peak, unsigned seed)
 /// Breaks of 5, 10, 15 columns, which may be filled, and of 40, which is to stay open.
 Sample gaps(unsigned seed)
 {
+  return brokenBead({ { 60, 5 }, { 145, 10 }, { 230, 15 }, { 315, 40 } }, seed);
+}
+
+/// A stripe that fades out and in again over a few pixels, which draws column methods along it on a flank.
+Sample fading(unsigned seed)
+{
   StripePicture scene = beadScene(50.0, seed);
-  const auto length_at = [](double u)
-  {
-    const int lengths[] = { 0, 5, 10, 15, 40 };
-    const int piece = static_cast<int>(u) / 80;
-    return std::fmod(u, 80.0) >= 30.0 && std::fmod(u, 80.0) < 30.0 + lengths[piece % 5] ? lengths[piece % 5] : 0;
-  };
-  scene.gain = [length_at](double u) { return length_at(u) > 0 ? 0.0 : 1.0; };
+  const auto inside = [](double u) { return 20.0 - std::abs(std::fmod(u, 100.0) - 60.0); };
+  scene.gain = [inside](double u) { return 0.5 * std::erfc(inside(u) / (kSoftEnd * std::sqrt(2.0))); };
   Sample sample = plain(scene);
   for (int u = 0; u < scene.width; ++u)
-    if (length_at(u) > 0)
-      sample.expected[static_cast<std::size_t>(u)] = length_at(u) > 20 ? Expected::Nothing : Expected::Optional;
+    if (inside(u) > 0.0)
+      sample.expected[static_cast<std::size_t>(u)] = inside(u) > 5.0 * kSoftEnd ? Expected::Nothing : Expected::Beyond;
   return sample;
 }
 
@@ -144,6 +147,7 @@ const Entry kScenes[] = {
   { "peak_1000", 24, [](unsigned seed) { return saturated(1000.0, seed); } },
   { "ghosts", 12, ghostSample },
   { "gaps", 24, gaps },
+  { "fading_ends", 24, fading },
   { "step", 24, step },
   { "widths_1.2_to_8", 12, widths },
   { "flat_topped", 24, flatTopped },
@@ -178,6 +182,26 @@ StripePicture beadScene(double snr, unsigned seed)
   return scene;
 }
 
+Sample brokenBead(const std::vector<Break>& breaks, unsigned seed)
+{
+  const StripePicture scene = beadScene(50.0, seed);
+  std::vector<double> light = lightOf(scene);
+  std::vector<Expected> expected;
+  for (int u = 0; u < scene.width; ++u)
+  {
+    const bool end = u < kMargin || u >= scene.width - kMargin;
+    expected.push_back(end ? Expected::Beyond : Expected::Centre);
+    for (const Break& dark : breaks)
+      if (u >= dark.first && u < dark.first + dark.length)
+      {
+        expected.back() = dark.length > kLongestRepair ? Expected::Nothing : Expected::Optional;
+        for (int v = 0; v < scene.height; ++v)
+          light[static_cast<std::size_t>(v) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(u)] = 0;
+      }
+  }
+  return Sample{ scene, render(scene, light), expected };
+}
+
 std::vector<std::string> sceneNames()
 {
   std::vector<std::string> names;
@@ -199,6 +223,7 @@ SceneSet makeScene(const std::string& name, int seeds)
       scene.stripe_sigma = scene.samples.front().truth.sigma;
       scene.noise = scene.samples.front().truth.snr > 0.0 || scene.samples.front().truth.read_noise > 0.0;
       scene.centre_defined = name != "skewed";
+      scene.beyond_the_bar = name == "fading_ends";
       return scene;
     }
   throw std::invalid_argument("there is no scene '" + name + "'");

@@ -17,14 +17,23 @@ test_support::StripePicture straightScene(double sigma, double degrees, unsigned
 /// 45 deg flanks, curvature up to 0.03 / px.
 test_support::StripePicture beadScene(double snr, unsigned seed);
 
+/// Where a stripe is dark.
+struct Break
+{
+  int first = 0, length = 0;  ///< [columns]
+};
+/// The bead, SNR 50, with breaks: columns without light. What is longer than a repair's limit is to stay open.
+Sample brokenBead(const std::vector<Break>& breaks, unsigned seed);
+
 /// One line of the table of scenes.
 struct SceneSet
 {
   std::string name;
   double stripe_sigma = 2.0;
   std::vector<Sample> samples;
-  bool noise = true;           ///< without it a told sigma has nothing to be compared with
-  bool centre_defined = true;  ///< false: a lopsided profile has no one centre; a constant offset is not counted
+  bool noise = true;            ///< without it a told sigma has nothing to be compared with
+  bool beyond_the_bar = false;  ///< told for what it shows; no honest sigma is asked for there
+  bool centre_defined = true;   ///< false: a lopsided profile has no one centre; a constant offset is not counted
 };
 
 /// Names of all scenes of the table.

@@ -24,7 +24,7 @@ Sample sampleOf(const test_support::StripePicture& scene, int margin)
   sample.expected.assign(static_cast<std::size_t>(scene.width), Expected::Centre);
   for (int u = 0; u < scene.width; ++u)
     if (u < margin || u >= scene.width - margin)
-      sample.expected[static_cast<std::size_t>(u)] = Expected::Optional;
+      sample.expected[static_cast<std::size_t>(u)] = Expected::Beyond;
   return sample;
 }
 
@@ -66,15 +66,16 @@ void Score::add(const Sample& sample, const Stripe& stripe, const Candidate& can
   std::size_t traced = 0;  // centres measured so far: what is told of each knows nothing of those a repair added
   for (std::size_t i = 0; i < stripe.size(); ++i)
   {
-    const bool filled = (stripe.flags[i] & stripe_flag::kInterpolated) != 0;
+    const bool repaired = (stripe.flags[i] & stripe_flag::kInterpolated) != 0;
     const std::size_t trace = traced;
-    traced += filled ? 0 : 1;
+    traced += repaired ? 0 : 1;
     const std::size_t cell = stripe.cell[i];
     found[cell] = true;
     if (sample.expected[cell] == Expected::Nothing)
       ++made_up;
-    if (sample.expected[cell] == Expected::Nothing || (sample.expected[cell] == Expected::Optional && !filled))
+    if (sample.expected[cell] == Expected::Nothing || sample.expected[cell] == Expected::Beyond)
       continue;
+    filled += repaired && sample.expected[cell] == Expected::Optional ? 1 : 0;
     const double error = distanceAcross(sample.truth, stripe.u[i], stripe.v[i]);
     ++points;
     squares += error * error;
@@ -85,14 +86,15 @@ void Score::add(const Sample& sample, const Stripe& stripe, const Candidate& can
       ++outliers;
       continue;
     }
-    (filled ? interpolated : measured).add(error, stripe.sigma[i]);
-    if (!filled)
+    (repaired ? interpolated : measured).add(error, stripe.sigma[i]);
+    if (!repaired)
       columns_told.push_back(candidate.columnsTold(trace));
   }
   for (std::size_t cell = 0; cell < found.size(); ++cell)
   {
     expected += sample.expected[cell] == Expected::Centre ? 1 : 0;
     missing += sample.expected[cell] == Expected::Centre && !found[cell] ? 1 : 0;
+    breaks += sample.expected[cell] == Expected::Optional ? 1 : 0;
     empty += sample.expected[cell] == Expected::Nothing ? 1 : 0;
   }
 }

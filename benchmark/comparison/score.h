@@ -14,7 +14,8 @@ namespace comparison
 enum class Expected : std::uint8_t
 {
   Nothing,   ///< there is no stripe, and it is not to be made up
-  Optional,  ///< no stripe, but a repair may fill it; or beyond the part that is judged
+  Optional,  ///< none is missed, but what is there is judged: a break that a repair may fill
+  Beyond,    ///< not judged: the ends of the image
   Centre
 };
 
@@ -49,6 +50,7 @@ struct Score
   double squares = 0.0;                      ///< of all centres, those beyond a pixel included
   std::size_t points = 0, outliers = 0;      ///< outliers: more than a pixel off
   std::size_t expected = 0, missing = 0;     ///< cells
+  std::size_t breaks = 0, filled = 0;        ///< optional cells; those with an interpolated centre
   std::size_t empty = 0, made_up = 0;        ///< cells without a stripe; centres found there
   std::size_t saturated = 0, ambiguous = 0;  ///< flags told
   std::vector<int> columns_told;             ///< of each measured centre

@@ -28,7 +28,7 @@ Sample frameOf(double sigma, double degrees, int bit_depth, bool integrated)
   scene.bit_depth = bit_depth;
   Sample sample{ scene, integrated ? renderIntegrated(scene) : render(scene), {} };
   for (int u = 0; u < scene.width; ++u)
-    sample.expected.push_back(u < kMargin || u >= scene.width - kMargin ? Expected::Optional : Expected::Centre);
+    sample.expected.push_back(u < kMargin || u >= scene.width - kMargin ? Expected::Beyond : Expected::Centre);
   return sample;
 }
 
