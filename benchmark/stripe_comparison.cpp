@@ -42,7 +42,10 @@ std::vector<std::string> split(const char* text)
 
 void usage()
 {
-  std::printf("stripe_comparison [--quick] [--only PART,...] [--methods NAME,...] [--json FILE]\nparts:");
+  std::printf(
+      "Every stripe method next to every other, in one run.\n"
+      "  --quick  fewer seeds;  --only  parts or scenes;  --methods  contestants;  --json  also writes a file\n"
+      "stripe_comparison [--quick] [--only PART,...] [--methods NAME,...] [--json FILE]\nparts:");
   for (const Part& part : kParts)
     std::printf(" %s", part.name);
   std::printf("\nscenes, of part `scenes`:");

@@ -71,6 +71,12 @@ double Bound::informationAt(double light) const
 
 double Bound::ofColumns(int columns) const
 {
+  const auto known = known_.find(columns);
+  return known != known_.end() ? known->second : known_[columns] = computeOfColumns(columns);
+}
+
+double Bound::computeOfColumns(int columns) const
+{
   const double cosine = 1.0 / std::sqrt(1.0 + settings_.slope * settings_.slope);
   const double sine = settings_.slope * cosine;
   const int half = columns / 2;

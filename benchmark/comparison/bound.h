@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 namespace weld_profiler
@@ -32,9 +33,11 @@ public:
 
 private:
   double informationAt(double light) const;
+  double computeOfColumns(int columns) const;
 
   BoundSettings settings_;
-  std::vector<double> table_;  ///< pixelInformation from no light to the peak
+  std::vector<double> table_;            ///< pixelInformation from no light to the peak
+  mutable std::map<int, double> known_;  ///< by columns
 };
 }  // namespace comparison
 }  // namespace weld_profiler

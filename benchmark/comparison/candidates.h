@@ -19,7 +19,8 @@ public:
   virtual void process(const RawImage& image, Stripe& stripe) = 0;
   /// Forgets the frames before: the next one is searched everywhere.
   virtual void reset() {}
-  /// Columns, centred on its cell, that centre i of the last frame was measured over; 0 = it does not tell.
+  /// Columns, centred on its cell, that measured centre i of the last frame (those that a repair filled are not
+  /// counted) was measured over; 0 = it does not tell.
   virtual int columnsTold(std::size_t /*i*/) const { return 0; }
 };
 

@@ -74,6 +74,7 @@ public:
           runCell(Cell{ snr, sigma, degrees }, light);
       }
     printTables();
+    printTold();
     accept();
   }
 
@@ -119,10 +120,13 @@ private:
       if (told == 0)
         told = columnsUsed(name, cell);
       columns += told;
-      squares += std::pow(boundOf(bound, told, cell), 2.0);
+      squares += std::pow(bound.ofColumns(told), 2.0);
     }
     const auto count = static_cast<double>(score.columns_told.size());
-    const double used = std::sqrt(squares / count), column = boundOf(bound, 1, cell);
+    const double used = std::sqrt(squares / count), column = bound.ofColumns(1);
+    if (name == defaultMethod() && cell.snr == kSnrs[2] && !score.columns_told.empty() &&
+        score.columns_told.front() > 0)
+      told_.push_back(Told{ cell, columns / count, columnsUsed(name, cell) });
     const double rmse = score.measured.rmse();
     const Ratios ratios{ rmse / column, rmse / used, 1.0 / std::sqrt(2.0 * count * count / columns) };
     results_[name].emplace_back(cell, ratios);
@@ -154,15 +158,6 @@ private:
     if (known != reach_.end())
       return known->second;
     return reach_[key] = columnsByDisturbing(name, cell.sigma, cell.degrees + kOff);
-  }
-
-  double boundOf(const Bound& bound, int columns, const Cell& cell)
-  {
-    if (cell.text() != bounded_)
-      bounds_.clear();
-    bounded_ = cell.text();
-    const auto known = bounds_.find(columns);
-    return known != bounds_.end() ? known->second : bounds_[columns] = bound.ofColumns(columns);
   }
 
   void printTables()
@@ -218,12 +213,29 @@ private:
                                0.75, 0.5, false, "x", detail(column, &Ratios::of_column) });
   }
 
+  struct Told
+  {
+    Cell cell;
+    double told;
+    int disturbed;
+  };
+
+  /// Whether the default method uses no more columns than it tells.
+  void printTold()
+  {
+    if (told_.empty())
+      return;
+    context_.report().table("columns", "columns the default method tells, SNR 100, and those that move its centre");
+    for (const Told& line : told_)
+      context_.report().row(
+          { { "cell", line.cell.text() }, { "told", line.told, 1 }, { "disturbed", 1.0 * line.disturbed, 0 } });
+  }
+
   Context& context_;
+  std::vector<Told> told_;
   std::map<std::string, std::vector<std::pair<Cell, Ratios>>> results_;
   std::map<std::string, std::vector<double>> rmse_;
   std::map<std::string, int> reach_;
-  std::string bounded_;
-  std::map<int, double> bounds_;
 };
 }  // namespace
 

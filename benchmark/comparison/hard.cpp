@@ -75,7 +75,7 @@ void compareScenes(Context& context)
         context.noteHonesty(scene.name, name, score);
       const auto points = static_cast<double>(std::max<std::size_t>(score.points, 1));
       report.row({ { "scene", scene.name },
-                   { "method", name.substr(0, 19) },
+                   { "method", name },
                    { "rmse_mpx", 1e3 * score.rmse(), 1 },
                    { "within_1px", 1e3 * score.measured.rmse(), 1 },
                    { "bias", 1e3 * bias, 1 },

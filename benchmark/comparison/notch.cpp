@@ -137,7 +137,7 @@ void compareRepair(Context& context)
       context.noteHonesty("gap of " + std::to_string(gap), name, score);
       report.row(
           { { "gap", 1.0 * gap, 0 },
-            { "method", name.substr(0, 19) },
+            { "method", name },
             { "filled_mpx", 1e3 * score.interpolated.rmse(), 1 },
             { "filled%",
               100.0 * static_cast<double>(score.filled) / static_cast<double>(std::max<std::size_t>(score.breaks, 1)),

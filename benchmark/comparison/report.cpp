@@ -80,6 +80,7 @@ void Report::table(const std::string& name, const std::string& title)
 {
   tables_.push_back(Table{ name, title, {}, {} });
   std::printf("\n== %s: %s\n", name.c_str(), title.c_str());
+  std::fflush(stdout);
 }
 
 void Report::row(const Row& fields, Printing printing)

@@ -189,7 +189,7 @@ void compareSizes(Context& context)
       const Timing timing = measure(*timed(name), frames, Memory::Cold, Stream::Followed);
       report.row({ { "width", 1.0 * size.width, 0 },
                    { "height", 1.0 * size.height, 0 },
-                   { "method", name.substr(0, 19) },
+                   { "method", name },
                    { "cold_us", 1e6 * timing.own, 1 },
                    { "sum_us", 1e6 * timing.sum, 1 },
                    { "ratio", timing.ratio() } });
