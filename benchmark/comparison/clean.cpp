@@ -118,7 +118,7 @@ private:
     for (int told : score.columns_told)
     {
       if (told == 0)
-        told = columnsUsed(name, cell);
+        told = columnsUsed(name, cell.sigma, cell.degrees + kOff);
       columns += told;
       squares += std::pow(bound.ofColumns(told), 2.0);
     }
@@ -126,7 +126,7 @@ private:
     const double used = std::sqrt(squares / count), column = bound.ofColumns(1);
     if (name == defaultMethod() && cell.snr == kSnrs[2] && !score.columns_told.empty() &&
         score.columns_told.front() > 0)
-      told_.push_back(Told{ cell, columns / count, columnsUsed(name, cell) });
+      told_.push_back(Told{ cell, columns / count, columnsByDisturbing(name, cell.sigma, cell.degrees + kOff) });
     const double rmse = score.measured.rmse();
     const Ratios ratios{ rmse / column, rmse / used, 1.0 / std::sqrt(2.0 * count * count / columns) };
     results_[name].emplace_back(cell, ratios);
@@ -148,16 +148,6 @@ private:
                             { "outliers_percent", score.outlierPercent() },
                             { "missing_percent", score.missingPercent() } },
                           Report::Silent);
-  }
-
-  /// What the method tells, or what disturbing its pixels shows: depends on width and slope alone.
-  int columnsUsed(const std::string& name, const Cell& cell)
-  {
-    const std::string key = name + std::to_string(cell.sigma) + "/" + std::to_string(cell.degrees);
-    const auto known = reach_.find(key);
-    if (known != reach_.end())
-      return known->second;
-    return reach_[key] = columnsByDisturbing(name, cell.sigma, cell.degrees + kOff);
   }
 
   void printTables()
@@ -235,7 +225,6 @@ private:
   std::vector<Told> told_;
   std::map<std::string, std::vector<std::pair<Cell, Ratios>>> results_;
   std::map<std::string, std::vector<double>> rmse_;
-  std::map<std::string, int> reach_;
 };
 }  // namespace
 

@@ -40,6 +40,8 @@ private:
     std::string scene, method;
     double measured, interpolated;
   };
+  void reportHonestyOf(const std::string& method);
+
   Options options_;
   Report report_;
   std::vector<Honesty> honesty_;

@@ -39,6 +39,34 @@ void takeOffsetOff(Score& score)
   score.squares = sums.squares;
 }
 
+void runScene(Context& context, const SceneSet& scene, const std::string& method)
+{
+  CandidateSettings settings;
+  settings.stripe_sigma = scene.stripe_sigma;
+  Score score = judge(*makeCandidate(method, settings), scene.samples);
+  const double bias = score.measured.bias();
+  if (!scene.centre_defined)
+    takeOffsetOff(score);
+  if (scene.noise && !scene.beyond_the_bar)
+    context.noteHonesty(scene.name, method, score);
+  const auto points = static_cast<double>(std::max<std::size_t>(score.points, 1));
+  context.report().row({ { "scene", scene.name },
+                         { "method", method },
+                         { "rmse_mpx", 1e3 * score.rmse(), 1 },
+                         { "within_1px", 1e3 * score.measured.rmse(), 1 },
+                         { "bias", 1e3 * bias, 1 },
+                         { "outliers%", score.outlierPercent(), 2 },
+                         { "missing%", score.missingPercent(), 2 },
+                         { "made_up", static_cast<double>(score.made_up), 0 },
+                         { "honesty", scene.noise ? score.measured.honesty() : std::nan("") },
+                         { "filled_mpx", 1e3 * score.interpolated.rmse(), 1 },
+                         { "filled_hon", score.interpolated.honesty() },
+                         { "saturated%", 100.0 * static_cast<double>(score.saturated) / points, 1 },
+                         { "ambiguous%", 100.0 * static_cast<double>(score.ambiguous) / points, 1 } });
+  if (method == defaultMethod())
+    acceptScene(context, scene, score);
+}
+
 /// One line a column of the bead, for the figure.
 void traceBead(Context& context, const std::string& name, const Sample& sample)
 {
@@ -58,45 +86,19 @@ void compareScenes(Context& context)
   Report& report = context.report();
   report.table("scenes",
                "harder scenes; RMSE of all centres across the stripe [mpx], error / told sigma, the filled apart");
-  for (const std::string& scene_name : sceneNames())
-  {
-    if (!context.wants(scene_name) && !context.wants("scenes"))
-      continue;
-    const SceneSet scene = makeScene(scene_name, context.seeds(24));
-    for (const std::string& name : context.options().methods)
+  for (const std::string& name : sceneNames())
+    if (context.wants(name) || context.wants("scenes"))
     {
-      CandidateSettings settings;
-      settings.stripe_sigma = scene.stripe_sigma;
-      Score score = judge(*makeCandidate(name, settings), scene.samples);
-      const double bias = score.measured.bias();
-      if (!scene.centre_defined)
-        takeOffsetOff(score);
-      if (scene.noise && !scene.beyond_the_bar)
-        context.noteHonesty(scene.name, name, score);
-      const auto points = static_cast<double>(std::max<std::size_t>(score.points, 1));
-      report.row({ { "scene", scene.name },
-                   { "method", name },
-                   { "rmse_mpx", 1e3 * score.rmse(), 1 },
-                   { "within_1px", 1e3 * score.measured.rmse(), 1 },
-                   { "bias", 1e3 * bias, 1 },
-                   { "outliers%", score.outlierPercent(), 2 },
-                   { "missing%", score.missingPercent(), 2 },
-                   { "made_up", static_cast<double>(score.made_up), 0 },
-                   { "honesty", scene.noise ? score.measured.honesty() : std::nan("") },
-                   { "filled_mpx", 1e3 * score.interpolated.rmse(), 1 },
-                   { "filled_hon", score.interpolated.honesty() },
-                   { "saturated%", 100.0 * static_cast<double>(score.saturated) / points, 1 },
-                   { "ambiguous%", 100.0 * static_cast<double>(score.ambiguous) / points, 1 } });
-      if (name == defaultMethod())
-        acceptScene(context, scene, score);
+      const SceneSet scene = makeScene(name, context.seeds(24));
+      for (const std::string& method : context.options().methods)
+        runScene(context, scene, method);
     }
-  }
   if (!context.wants("bead") && !context.wants("scenes"))
     return;
   report.table("bead_trace", "error along one bead, SNR 50 (written to the file)");
   const Sample bead = sampleOf(beadScene(50.0, 1));
-  for (const std::string& name : context.options().methods)
-    traceBead(context, name, bead);
+  for (const std::string& method : context.options().methods)
+    traceBead(context, method, bead);
 }
 
 void compareSpeckle(Context& context)

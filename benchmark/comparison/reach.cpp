@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <vector>
 
 #include "comparison/candidates.h"
@@ -66,6 +68,18 @@ int reachOn(Candidate& candidate, const StripePicture& scene)
   return static_cast<int>(reach);
 }
 }  // namespace
+
+int columnsUsed(const std::string& method, double sigma, double degrees)
+{
+  static const std::set<std::string> column_methods = { "gray_centroid", "squared_centroid", "gauss_fit", "fir_peak",
+                                                        "log_parabola" };
+  static std::map<std::string, int> known;
+  if (column_methods.count(method) > 0)
+    return 1;
+  const std::string key = method + "/" + std::to_string(sigma) + "/" + std::to_string(degrees);
+  const auto found = known.find(key);
+  return found != known.end() ? found->second : known[key] = columnsByDisturbing(method, sigma, degrees);
+}
 
 int columnsByDisturbing(const std::string& method, double sigma, double degrees)
 {

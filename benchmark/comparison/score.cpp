@@ -1,5 +1,6 @@
 #include "comparison/score.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -79,6 +80,7 @@ void Score::add(const Sample& sample, const Stripe& stripe, const Candidate& can
     const double error = distanceAcross(sample.truth, stripe.u[i], stripe.v[i]);
     ++points;
     squares += error * error;
+    largest = std::max(largest, std::abs(error));
     saturated += (stripe.flags[i] & stripe_flag::kSaturated) != 0 ? 1 : 0;
     ambiguous += (stripe.flags[i] & stripe_flag::kAmbiguous) != 0 ? 1 : 0;
     if (!(std::abs(error) <= kOutlier))

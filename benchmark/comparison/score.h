@@ -47,7 +47,7 @@ struct ErrorSums
 struct Score
 {
   ErrorSums measured, interpolated;          ///< within a pixel of the truth
-  double squares = 0.0;                      ///< of all centres, those beyond a pixel included
+  double squares = 0.0, largest = 0.0;       ///< of all centres, those beyond a pixel included
   std::size_t points = 0, outliers = 0;      ///< outliers: more than a pixel off
   std::size_t expected = 0, missing = 0;     ///< cells
   std::size_t breaks = 0, filled = 0;        ///< optional cells; those with an interpolated centre

@@ -1,9 +1,11 @@
 // Time a frame of every method, held against one SIMD sum of the same frame, both measured in turn.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <map>
+
+#include <opencv2/core/utility.hpp>
 
 #include "comparison/context.h"
 #include "comparison/ghosts.h"
@@ -17,8 +19,6 @@ using test_support::Picture;
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
 constexpr double kCycleBytes = 100e6;  ///< of frames gone through in turn: more than a cache holds
 constexpr double kBudget = 1.2;        ///< for one measurement [s]
 constexpr std::size_t kLeastRounds = 31, kMostRounds = 1500;
@@ -59,12 +59,20 @@ double quantile(std::vector<double>& values, double share)
   return *at;
 }
 
+/// Time this thread has had a core: what other programs take of the machine does not count, but for the caches.
+double onCore()
+{
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 template <class Work>
 double seconds(Work&& work)
 {
-  const auto begin = Clock::now();
+  const double begin = onCore();
   work();
-  return std::chrono::duration<double>(Clock::now() - begin).count();
+  return onCore() - begin;
 }
 
 enum class Memory
@@ -85,7 +93,7 @@ Timing measure(Candidate& candidate, const std::vector<Picture>& frames, Memory 
   std::vector<double> sums, owns;
   Stripe stripe;
   std::uint64_t kept = 0;
-  const auto begin = Clock::now();
+  const double begin = onCore();
   for (std::size_t round = 0; round < kMostRounds + 3; ++round)
   {
     const std::size_t own = memory == Memory::Cold ? round % frames.size() : 0;
@@ -100,8 +108,7 @@ Timing measure(Candidate& candidate, const std::vector<Picture>& frames, Memory 
       continue;
     owns.push_back(time);
     sums.push_back(sum);
-    const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
-    if (owns.size() >= kLeastRounds && spent > kBudget)
+    if (owns.size() >= kLeastRounds && onCore() - begin > kBudget)
       break;
   }
   if (kept == 0)  // never: but so the sums are not optimised away
@@ -114,6 +121,38 @@ std::unique_ptr<Candidate> timed(const std::string& name)
   CandidateSettings settings;
   settings.trace = false;
   return makeCandidate(name, settings);
+}
+
+/// One line of the table; the cold time of a stream that is followed.
+Timing timeMethod(Context& context, const std::string& name, const std::vector<Picture>& frames)
+{
+  const std::unique_ptr<Candidate> candidate = timed(name);
+  const Timing far = measure(*candidate, frames, Memory::Cold, Stream::Followed);
+  const Timing anew = measure(*candidate, frames, Memory::Cold, Stream::SearchedAnew);
+  const Timing near = measure(*candidate, frames, Memory::Warm, Stream::Followed);
+  const Timing near_anew = measure(*candidate, frames, Memory::Warm, Stream::SearchedAnew);
+  Report& report = context.report();
+  report.row({ { "method", name },
+               { "cold_us", 1e6 * far.own, 1 },
+               { "ratio", far.ratio() },
+               { "quartile", 1e6 * far.low, 1 },
+               { "quartile3", 1e6 * far.high, 1 },
+               { "anew_us", 1e6 * anew.own, 1 },
+               { "anew_ratio", anew.ratio() },
+               { "warm_us", 1e6 * near.own, 1 },
+               { "warm_ratio", near.ratio() },
+               { "warm_anew_us", 1e6 * near_anew.own, 1 },
+               { "warm_anew_ratio", near_anew.ratio() },
+               { "sum_cold_us", 1e6 * far.sum, 1 },
+               { "sum_warm_us", 1e6 * near.sum, 1 } });
+  if (name != defaultMethod())
+    return far;
+  const std::string anew_text = "searched anew: ";
+  report.accept({ "default, time / SIMD sum, 1440x1080, warm", near.ratio(), 5.0, 3.0, false, "x",
+                  anew_text + std::to_string(near_anew.ratio()).substr(0, 5) });
+  report.accept({ "default, time / SIMD sum, 1440x1080, from memory", far.ratio(), 3.5, 2.0, false, "x",
+                  anew_text + std::to_string(anew.ratio()).substr(0, 5) });
+  return far;
 }
 
 /// Two contestants, and how many times faster the second is to be.
@@ -133,40 +172,13 @@ void acceptFaster(Context& context, const std::map<std::string, Timing>& cold, c
 
 void compareTimes(Context& context)
 {
-  Report& report = context.report();
+  cv::setNumThreads(1);
   const std::vector<Picture> frames = framesOf({ 1440, 1080 });
-  report.table("times", std::string("one frame of 1440x1080 mono8, one thread, medians [us]; ratio to one ") +
-                            simdSumPath() + " sum of a frame in the same loop; quartiles of the cold time");
+  context.report().table("times", std::string("one frame of 1440x1080 mono8, one thread, medians [us]; ratio to one ") +
+                                      simdSumPath() + " sum of a frame in the same loop; quartiles of the cold time");
   std::map<std::string, Timing> cold;
   for (const std::string& name : context.options().methods)
-  {
-    const std::unique_ptr<Candidate> candidate = timed(name);
-    const Timing far = measure(*candidate, frames, Memory::Cold, Stream::Followed);
-    const Timing anew = measure(*candidate, frames, Memory::Cold, Stream::SearchedAnew);
-    const Timing near = measure(*candidate, frames, Memory::Warm, Stream::Followed);
-    const Timing near_anew = measure(*candidate, frames, Memory::Warm, Stream::SearchedAnew);
-    cold[name] = far;
-    report.row({ { "method", name },
-                 { "cold_us", 1e6 * far.own, 1 },
-                 { "ratio", far.ratio() },
-                 { "quartile", 1e6 * far.low, 1 },
-                 { "quartile3", 1e6 * far.high, 1 },
-                 { "anew_us", 1e6 * anew.own, 1 },
-                 { "anew_ratio", anew.ratio() },
-                 { "warm_us", 1e6 * near.own, 1 },
-                 { "warm_ratio", near.ratio() },
-                 { "warm_anew_us", 1e6 * near_anew.own, 1 },
-                 { "warm_anew_ratio", near_anew.ratio() },
-                 { "sum_cold_us", 1e6 * far.sum, 1 },
-                 { "sum_warm_us", 1e6 * near.sum, 1 } });
-    if (name != defaultMethod())
-      continue;
-    const std::string anew_text = "searched anew: ";
-    report.accept({ "default, time / SIMD sum, 1440x1080, warm", near.ratio(), 5.0, 3.0, false, "x",
-                    anew_text + std::to_string(near_anew.ratio()).substr(0, 5) });
-    report.accept({ "default, time / SIMD sum, 1440x1080, from memory", far.ratio(), 3.5, 2.0, false, "x",
-                    anew_text + std::to_string(anew.ratio()).substr(0, 5) });
-  }
+    cold[name] = timeMethod(context, name, frames);
   const std::string own = defaultMethod();
   acceptFaster(context, cold,
                { "default against plain OpenCV Steger on the frame, times faster", "opencv_steger", own.c_str(), 400.0,
@@ -178,6 +190,7 @@ void compareTimes(Context& context)
 
 void compareSizes(Context& context)
 {
+  cv::setNumThreads(1);
   Report& report = context.report();
   report.table("sizes", "time from memory against the image's size: [us], and ratio to one SIMD sum of the frame");
   double first = 0.0, most = 0.0;
