@@ -126,9 +126,7 @@ void compareRepair(Context& context)
     std::vector<Sample> samples;
     for (int seed = 1; seed <= context.seeds(24); ++seed)
     {
-      std::vector<Break> breaks;
-      for (int i = 0; i < 4; ++i)
-        breaks.push_back(Break{ 55 + 86 * i, gap });
+      const std::vector<Break> breaks = { { 55, gap }, { 141, gap }, { 227, gap }, { 313, gap } };
       samples.push_back(brokenBead(breaks, static_cast<unsigned>(seed)));
     }
     for (const std::string& name : context.options().methods)

@@ -91,7 +91,9 @@ std::vector<double> speckleOf(const StripePicture& stripe, std::mt19937& random)
       double sum = 0.0;
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i)
-          sum += grain[static_cast<std::size_t>((v + j) * padded + u + i)] / 3.0;
+          sum += grain[static_cast<std::size_t>(v + j) * static_cast<std::size_t>(padded) +
+                       static_cast<std::size_t>(u + i)] /
+                 3.0;
       brightness.push_back(std::max(0.0, 1.0 + stripe.speckle * sum));
     }
   return brightness;
