@@ -1,6 +1,6 @@
 // Every stripe method next to every other, against the truth, the bound and one read of the frame, in one run.
 //   stripe_comparison [--quick] [--only clean,systematic,scenes,speckle,notch,repair,times,sizes,SCENE,...]
-//                     [--methods a,b,...] [--json FILE]
+//                     [--methods a,b,...] [--judge METHOD] [--json FILE]
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -45,7 +45,8 @@ void usage()
   std::printf(
       "Every stripe method next to every other, in one run.\n"
       "  --quick  fewer seeds;  --only  parts or scenes;  --methods  contestants;  --json  also writes a file\n"
-      "stripe_comparison [--quick] [--only PART,...] [--methods NAME,...] [--json FILE]\nparts:");
+      "  --judge  the method held against the bars, in place of the default\n"
+      "stripe_comparison [--quick] [--only PART,...] [--methods NAME,...] [--judge NAME] [--json FILE]\nparts:");
   for (const Part& part : kParts)
     std::printf(" %s", part.name);
   std::printf("\nscenes, of part `scenes`:");
@@ -60,6 +61,7 @@ void usage()
 bool read(int argc, char** argv, Options& options)
 {
   options.methods = weld_profiler::comparison::candidateNames();
+  options.judged = weld_profiler::comparison::defaultMethod();
   for (int i = 1; i < argc; ++i)
   {
     const bool more = i + 1 < argc;
@@ -69,6 +71,8 @@ bool read(int argc, char** argv, Options& options)
       options.only = split(argv[++i]);
     else if (more && std::strcmp(argv[i], "--methods") == 0)
       options.methods = split(argv[++i]);
+    else if (more && std::strcmp(argv[i], "--judge") == 0)
+      options.judged = argv[++i];
     else if (more && std::strcmp(argv[i], "--json") == 0)
       options.json = argv[++i];
     else

@@ -91,7 +91,7 @@ private:
       candidates[name] = makeCandidate(name, settings);
     Stripe stripe;
     const int seeds = context_.seeds(kSeeds),
-              own_seeds = candidates.count(defaultMethod()) > 0 ? context_.seeds(kOwnSeeds) : 0;
+              own_seeds = candidates.count(context_.judged()) > 0 ? context_.seeds(kOwnSeeds) : 0;
     for (int seed = 0; seed < std::max(seeds, own_seeds); ++seed)
     {
       scene.seed = 7000U + 100U * static_cast<unsigned>(cell.snr) + static_cast<unsigned>(seed);
@@ -100,7 +100,7 @@ private:
         sample.expected.push_back(u < kMargin || u >= scene.width - kMargin ? Expected::Beyond : Expected::Centre);
       for (auto& [name, candidate] : candidates)
       {
-        if (seed >= (name == defaultMethod() ? own_seeds : seeds))
+        if (seed >= (name == context_.judged() ? own_seeds : seeds))
           continue;
         candidate->reset();
         candidate->process(sample.picture.raw(), stripe);
@@ -124,7 +124,7 @@ private:
     }
     const auto count = static_cast<double>(score.columns_told.size());
     const double used = std::sqrt(squares / count), column = bound.ofColumns(1);
-    if (name == defaultMethod() && cell.snr == kSnrs[2] && !score.columns_told.empty() &&
+    if (name == context_.judged() && cell.snr == kSnrs[2] && !score.columns_told.empty() &&
         score.columns_told.front() > 0)
       told_.push_back(Told{ cell, columns / count, columnsByDisturbing(name, cell.sigma, cell.degrees + kOff) });
     const double rmse = score.measured.rmse();
@@ -177,7 +177,7 @@ private:
 
   void accept()
   {
-    const std::string method = defaultMethod();
+    const std::string method = context_.judged();
     if (results_.count(method) == 0)
       return;
     const auto worst = [&](double Ratios::*ratio)

@@ -58,7 +58,7 @@ void Context::reportHonestyOf(const std::string& method)
                 { "most", most.measured },
                 { "interp.", filled.interpolated },
                 { "scenes", least.scene + " / " + most.scene + " / " + filled.scene } });
-  if (method != defaultMethod())
+  if (method != judged())
     return;
   const Honesty& worst = farFromOne(least.measured) > farFromOne(most.measured) ? least : most;
   char told[160];

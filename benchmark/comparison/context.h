@@ -15,6 +15,7 @@ struct Options
   std::vector<std::string> methods;  ///< contestants, in the order printed
   std::vector<std::string> only;     ///< names of parts and scenes; empty = all
   bool quick = false;                ///< fewer seeds
+  std::string judged;                ///< the method that the acceptance lines are about
   std::string json;                  ///< file written; empty = none
 };
 
@@ -26,6 +27,7 @@ public:
 
   bool wants(const std::string& part) const;
   const Options& options() const { return options_; }
+  const std::string& judged() const { return options_.judged; }
   int seeds(int full) const { return options_.quick ? std::max(2, full / 6) : full; }
   Report& report() { return report_; }
 

@@ -108,7 +108,7 @@ void compareNotch(Context& context)
                  { "integrated", drawn_again.percent() },
                  { "snr_50", noisy.percent() },
                  { "lost", static_cast<double>(clean.lost + drawn_again.lost + noisy.lost), 0 } });
-    if (name == defaultMethod())
+    if (name == context.judged())
       report.accept({ "notch of sigma 4 px and depth 3 px: share of its depth kept, least",
                       std::min({ clean.percent(), drawn_again.percent(), noisy.percent() }), 93.0, 97.0, true, "%",
                       "noise-free in two renderings, SNR 50" });

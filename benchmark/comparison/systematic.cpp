@@ -103,7 +103,7 @@ void compareSystematic(Context& context)
                  { "8bit_largest", 1e3 * results[name][8].largest },
                  { "missing", static_cast<double>(results[name][16].missing + results[name][8].missing), 0 },
                  { "largest_at", results[name][16].where } });
-  const auto own = results.find(defaultMethod());
+  const auto own = results.find(context.judged());
   if (own == results.end())
     return;
   report.accept({ "systematic error, noise-free, sigma 1.5-5, to 60 deg, largest (16 bit)",

@@ -145,7 +145,7 @@ Timing timeMethod(Context& context, const std::string& name, const std::vector<P
                { "warm_anew_ratio", near_anew.ratio() },
                { "sum_cold_us", 1e6 * far.sum, 1 },
                { "sum_warm_us", 1e6 * near.sum, 1 } });
-  if (name != defaultMethod())
+  if (name != context.judged())
     return far;
   const std::string anew_text = "searched anew: ";
   report.accept({ "default, time / SIMD sum, 1440x1080, warm", near.ratio(), 5.0, 3.0, false, "x",
@@ -179,7 +179,7 @@ void compareTimes(Context& context)
   std::map<std::string, Timing> cold;
   for (const std::string& name : context.options().methods)
     cold[name] = timeMethod(context, name, frames);
-  const std::string own = defaultMethod();
+  const std::string own = context.judged();
   acceptFaster(context, cold,
                { "default against plain OpenCV Steger on the frame, times faster", "opencv_steger", own.c_str(), 400.0,
                  1000.0 });
@@ -206,7 +206,7 @@ void compareSizes(Context& context)
                    { "cold_us", 1e6 * timing.own, 1 },
                    { "sum_us", 1e6 * timing.sum, 1 },
                    { "ratio", timing.ratio() } });
-      if (name != defaultMethod())
+      if (name != context.judged())
         continue;
       (size.width == 640 ? first : most) = std::max(size.width == 640 ? 0.0 : most, timing.ratio());
     }
