@@ -1,0 +1,91 @@
+#include "comparison/candidates.h"
+
+#include <cstdlib>
+
+#include "comparison/opencv_steger.h"
+#include "weld_profiler/stripe/stripe_methods.h"
+#include "weld_profiler/stripe/stripe_stage.h"
+#include "weld_profiler/stripe/workspace.h"
+
+namespace weld_profiler
+{
+namespace comparison
+{
+namespace
+{
+constexpr double kKernelPerStripe = 1.155;  ///< Steger's kernel, 2 / sqrt(3) of the stripe's sigma
+
+/// Room for the columns that a method tells each of its centres was measured over; none do where Memory has no such
+/// member.
+template <class Memory>
+auto apertureOf(const Memory& workspace, std::size_t i, int) -> decltype(static_cast<int>(workspace.aperture[i]))
+{
+  return i < workspace.aperture.size() ? static_cast<int>(workspace.aperture[i]) : 0;
+}
+template <class Memory>
+int apertureOf(const Memory&, std::size_t, long)
+{
+  return 0;
+}
+
+class OfThePackage : public Candidate
+{
+public:
+  OfThePackage(const StripeParams& params, bool trace) : stage_(params) { workspace_.keep_trace = trace; }
+  void process(const RawImage& image, Stripe& stripe) override { stage_.process(image, workspace_, stripe); }
+  void reset() override { workspace_.reset(); }
+  int columnsTold(std::size_t i) const override { return apertureOf(workspace_, i, 0); }
+
+private:
+  StripeStage stage_;
+  Workspace workspace_;
+};
+
+class Textbook : public Candidate
+{
+public:
+  explicit Textbook(double sigma) : steger_(sigma) {}
+  void process(const RawImage& image, Stripe& stripe) override { steger_.process(image, stripe); }
+
+private:
+  OpencvSteger steger_;
+};
+}  // namespace
+
+std::string defaultMethod()
+{
+  return StripeParams().method;
+}
+
+std::vector<std::string> candidateNames()
+{
+  std::vector<std::string> names = stripeMethods();
+  names.emplace_back("opencv_steger");
+  names.emplace_back("paper_to_the_letter");
+  return names;
+}
+
+std::unique_ptr<Candidate> makeCandidate(const std::string& name, const CandidateSettings& settings)
+{
+  const std::size_t at = name.find('@');
+  const std::string method = name.substr(0, at);
+  const double kernel = at == std::string::npos ? 0.0 : std::atof(name.c_str() + at + 1);
+  if (method == "opencv_steger")
+    return std::make_unique<Textbook>(kernel > 0.0 ? kernel : kKernelPerStripe * settings.stripe_sigma);
+  StripeParams params;
+  params.method = method;
+  params.direction = "u";
+  params.hessian_sigma_px = kernel;
+  if (!settings.repair)
+    params.max_gap_px = 0;
+  if (method == "paper_to_the_letter")
+  {
+    params.method = "svd";
+    params.taylor = "literal";
+    params.derivatives = "sobel";
+    params.median_size_px = 3;
+  }
+  return std::make_unique<OfThePackage>(params, settings.trace);
+}
+}  // namespace comparison
+}  // namespace weld_profiler
