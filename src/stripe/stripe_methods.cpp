@@ -15,12 +15,12 @@ struct MethodEntry
 
 /// The one table: a method that stands here can be chosen by name, and is under the contract tests.
 const MethodEntry kMethods[] = {
+  { "ridge", makeRidge },
   { "gray_centroid", makeGrayCentroid },
   { "squared_centroid", makeSquaredCentroid },
   { "svd", makeSvd },
   { "pca", makePca },
   { "steger", makeSteger },
-  { "ridge", makeRidge },
   { "gauss_fit", makeGaussFit },
   { "fir_peak", makeFirPeak },
   { "log_parabola", makeLogParabola },

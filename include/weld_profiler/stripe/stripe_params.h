@@ -9,7 +9,7 @@ namespace weld_profiler
 /// Counts [DN8] are grey levels of an 8-bit image; for 16-bit images they scale with the saturation level / 255.
 struct StripeParams
 {
-  std::string method = "squared_centroid";  ///< one of stripeMethods()
+  std::string method = "ridge";  ///< one of stripeMethods()
   std::string direction = "auto";           ///< auto (told from the image), u (along the rows), v (along the columns)
   std::string channel = "red";              ///< of colour and Bayer images: red, green, blue, max, luminance
   int roi_x = 0;                            ///< left edge of the region looked at [px]
@@ -25,8 +25,6 @@ struct StripeParams
   std::string derivatives = "gaussian";  ///< of svd and pca: gaussian, sobel (the paper)
   std::string taylor = "sound";          ///< sound: expanded where the derivatives are taken; literal: the paper's text
   int max_aperture_px = 27;  ///< of ridge: columns that one centre may be measured over: 3, 9, 27 [px]
-  int max_gap_px = 20;                   ///< longest break repaired by a spline [px]; 0 = repair nothing
-  int edge_trim_px = 4;                  ///< cells at the image's edges never interpolated [px]
   std::string fit = "maximum_likelihood";  ///< of gauss_fit: maximum_likelihood (read and shot noise), least_squares
   int max_gap_px = 20;                     ///< longest break repaired by a spline [px]; 0 = repair nothing
   int edge_trim_px = 4;                    ///< cells at the image's edges never interpolated [px]
