@@ -1,10 +1,10 @@
 // Accuracy of every stripe method on ideal stripes, as tables for docs/paper.md. Prints to standard output.
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
-#include "support/render_stripe.h"
-#include "weld_profiler/stripe/stripe_methods.h"
-#include "weld_profiler/stripe/stripe_stage.h"
+#include "comparison/bound.h"
+#include "support/extract.h"
 
 namespace
 {
@@ -12,6 +12,7 @@ using weld_profiler::Stripe;
 using weld_profiler::StripeParams;
 using weld_profiler::StripeStage;
 using weld_profiler::Workspace;
+using weld_profiler::test_support::paramsOf;
 using weld_profiler::test_support::Picture;
 using weld_profiler::test_support::render;
 using weld_profiler::test_support::straight;
@@ -19,6 +20,7 @@ using weld_profiler::test_support::StripePicture;
 
 const double kDegree = std::acos(-1.0) / 180.0;
 const double kSlopes[] = { 0.0, 15.0, 30.0, 45.0, 60.0 };
+constexpr double kTurn = 6.28318530717958648;
 constexpr int kRuns = 8;
 
 struct Score
@@ -48,14 +50,6 @@ struct Score
   double kept() const { return 100.0 * static_cast<double>(count) / static_cast<double>(cells); }
 };
 
-StripeParams paramsOf(const std::string& method)
-{
-  StripeParams params;
-  params.method = method;
-  params.direction = "u";
-  return params;
-}
-
 StripePicture slopedScene(double degrees, int run)
 {
   // Off the whole degrees, so that every sub-pixel offset occurs.
@@ -67,8 +61,9 @@ StripePicture slopedScene(double degrees, int run)
   return scene;
 }
 
-template <class Change>
-Score measure(const StripeParams& params, double degrees, Change&& change)
+Score measure(
+    const StripeParams& params, double degrees,
+    const std::function<void(StripePicture&)>& change = [](StripePicture&) {})
 {
   Score score;
   const StripeStage stage(params);
@@ -84,26 +79,14 @@ Score measure(const StripeParams& params, double degrees, Change&& change)
   return score;
 }
 
-Score measure(const StripeParams& params, double degrees)
-{
-  return measure(params, degrees, [](StripePicture&) {});
-}
-
-/// Cramer-Rao bound of one column, across the stripe, for the renderer's noise (half read, half shot, and rounding).
+/// Cramer-Rao bound of one column, across the stripe.
 double boundMpx(double degrees)
 {
   const StripePicture scene = slopedScene(degrees, 0);
-  const double cosine = std::cos((degrees + 0.17) * kDegree);
-  const double variance = std::pow(scene.peak / scene.snr, 2.0);
-  double information = 0.0;
-  for (int v = -40; v <= 40; ++v)
-  {
-    const double d = v * cosine;
-    const double light = std::exp(-0.5 * d * d / (scene.sigma * scene.sigma));
-    const double change = scene.peak * light * d * cosine / (scene.sigma * scene.sigma);
-    information += change * change / (0.5 * variance * (1.0 + light) + 1.0 / 12.0);
-  }
-  return 1000.0 * cosine / std::sqrt(information);
+  const double slope = std::tan((degrees + 0.17) * kDegree);
+  return 1000.0 *
+         weld_profiler::comparison::Bound({ scene.sigma, slope, scene.peak, scene.background, scene.snr, scene.clip })
+             .ofColumns(1);
 }
 
 /// 45 deg flanks, curvature up to 0.03 / px.
@@ -113,9 +96,8 @@ StripePicture beadScene(double snr)
   scene.width = 400;
   scene.height = 160;
   scene.snr = snr;
-  constexpr double kPeriod = 210.0;  // of a sine with slope 1 and curvature 2 pi / 210 = 0.03 / px
-  constexpr double kPi = 3.14159265358979;
-  scene.row = [](double u) { return 80.3 + kPeriod / (2.0 * kPi) * std::sin(2.0 * kPi * u / kPeriod); };
+  // a sine with slope 1 and curvature 2 pi / 210 = 0.03 / px
+  scene.row = [](double u) { return 80.3 + 210.0 / kTurn * std::sin(kTurn * u / 210.0); };
   return scene;
 }
 

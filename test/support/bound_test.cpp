@@ -12,7 +12,7 @@ using weld_profiler::comparison::BoundSettings;
 
 const double kPi = std::acos(-1.0);
 
-/// Pure read noise, as far as the renderer's half and half allows: the information of one column by quadrature.
+/// The information of one column, half read and half shot noise and rounding, by quadrature.
 double columnByQuadrature(const BoundSettings& settings)
 {
   const double variance = std::pow(settings.peak / settings.snr, 2.0);
@@ -66,9 +66,8 @@ TEST(Bound, OfOneColumnFallsWithTheRootOfTheCosineOfTheSlope)
   EXPECT_NEAR(Bound(steep).ofColumns(1) / Bound({}).ofColumns(1), std::sqrt(0.5), 1e-3);
 }
 
-TEST(Bound, PaysForTheUnknownSlopeWhereColumnsAreNotSymmetricAboutThePoint)
+TEST(Bound, LosesNothingToTheUnknownSlopeWhereColumnsLieEvenlyAboutThePoint)
 {
-  // Three columns of a steep stripe still have a symmetric partner each: nothing is lost.
   BoundSettings steep;
   steep.slope = 1.0;
   EXPECT_NEAR(Bound(steep).ofColumns(3) * std::sqrt(3.0) / Bound(steep).ofColumns(1), 1.0, 5e-3);
