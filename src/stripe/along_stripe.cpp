@@ -92,7 +92,9 @@ void AlongStripe::join(const ColumnTrack& track, int max_aperture)
   dispatch<MeanOf>(at(SpareA), at(Sum3), at(Lever3), slope_.data(), slots_, at(Mean3));
   dispatch<MeanOfThree>(at(Feigned), slots_, at(Feigned3));
   dispatch<MeanOfThree>(at(Difference), slots_, at(Difference3));
-  variates_.learn(ControlVariates::Means{ at(Mean3), at(Feigned3), at(Difference3), at(Sum3), slots_ });
+  dispatch<MeanOfThree>(track.light.data(), slots_, at(Light3));
+  variates_.learn(ControlVariates::Means{ at(Mean3), at(Feigned3), at(Difference3), at(Light3), at(Sum3), at(Offset),
+                                          track.sigma.data(), slots_ });
   const auto stretches = static_cast<int>(variates_.stretches().size());
   dispatch<Correct>(slots_, stretches, variates_.stretches().data(), at(Feigned), at(Difference), at(Offset));
   meanAlong();

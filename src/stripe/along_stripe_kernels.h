@@ -174,7 +174,8 @@ struct Correct
         const float share = static_cast<float>(i - begin) * (1.0F / kStretch);
         const float flanks = a.flanks + share * (b.flanks - a.flanks);
         const float there = a.feigned + share * (b.feigned - a.feigned);
-        offset[i] += flanks * difference[i] - there * feigned[i];
+        const float lean = a.lean + share * (b.lean - a.lean);
+        offset[i] += flanks * (difference[i] - lean) - there * feigned[i];
       }
     }
   }

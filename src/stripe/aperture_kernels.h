@@ -151,7 +151,8 @@ struct ChooseAperture
       const float bias = (1.0F - share3) * (1.0F - share3) * (left9 + (1.0F - share9) * (1.0F - share9) * left27);
       const float square = in.slope[i] * in.slope[i];
       const float skew = kSkew * in.bend[i] * square / ((1.0F + square) * (1.0F + square)) * in.width[i] * in.width[i];
-      const float apart = in.difference[i] * in.difference[i];
+      const float off = in.difference[i] - learnt.lean;
+      const float apart = off * off;
       const float disturbed = apart > kDisturbed * learnt.difference ? 0.5F * apart : 0.0F;
       const float columns = share3 >= 1.0F ? n3 : (share9 >= 1.0F ? n9 : n27);
       row[i] = middle - skew;

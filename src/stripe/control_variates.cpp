@@ -18,6 +18,7 @@ constexpr double kEnough = 24.0;
 constexpr int kNeighbours = 2;       // stretches on either side that are asked as well, by less and less
 constexpr double kCorrelated = 3.0;  // differences of means over common columns: so many count as one
 constexpr double kSurely = 4.0;      // squared significance from which a correction is used
+constexpr double kUnexplained = 2.5;      // times what noise explains: outline
 constexpr double kLargestShare = 1.1;
 
 struct RoughnessOf
@@ -35,6 +36,19 @@ struct RoughnessOf
                           10.0F * (values[i - 3] - values[i + 3]);
       rough[i] = held > kWhole ? value * kScale : kUnknown;
     }
+  }
+};
+
+/// Fifth differences of single columns that lie side by side.
+struct FinenessOf
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict values, int count, float* __restrict fine)
+  {
+    constexpr float kScale = 1.0F / 15.874508F;
+    for (int i = kReach; i < count - kReach; ++i)
+      fine[i] = ((values[i - 2] - values[i + 3]) - 5.0F * (values[i - 1] - values[i + 2]) +
+                 10.0F * (values[i] - values[i + 1])) *
+                kScale;
   }
 };
 
@@ -66,16 +80,16 @@ struct MagnitudeOf
 
 struct MomentsOf
 {
+  static constexpr int kSums = 12;
   static constexpr int kLanes = 8;
   struct In
   {
-    const float *e, *f, *d;
+    const float *e, *f, *d, *lean, *fine, *uneven, *light, *width;
     int begin, end;
     float most_e, most_d;
   };
   WELD_PROFILER_KERNEL static void run(In in, double* moments)
   {
-    constexpr int kSums = 7;
     float sums[kSums][kLanes] = {};
     for (int i = in.begin; i + kLanes <= in.end; i += kLanes)
       for (int k = 0; k < kLanes; ++k)
@@ -91,6 +105,11 @@ struct MomentsOf
         sums[4][k] += f * f;
         sums[5][k] += f * d;
         sums[6][k] += d * d;
+        sums[7][k] += used ? in.lean[i + k] : 0.0F;
+        sums[8][k] += used ? in.fine[i + k] * in.fine[i + k] : 0.0F;
+        sums[9][k] += used ? in.uneven[i + k] * in.uneven[i + k] : 0.0F;
+        sums[10][k] += used ? in.light[i + k] : 0.0F;
+        sums[11][k] += used ? in.width[i + k] * in.width[i + k] : 0.0F;
       }
     for (int s = 0; s < kSums; ++s)
     {
@@ -120,9 +139,25 @@ void ControlVariates::Moments::add(const Moments& other, double share)
   ff += share * other.ff;
   fd += share * other.fd;
   dd += share * other.dd;
+  lean += share * other.lean;
+  fine += share * other.fine;
+  uneven += share * other.uneven;
+  light += share * other.light;
+  width += share * other.width;
 }
 
-ControlVariates::Moments ControlVariates::momentsOf(int stretch, double most) const
+/// Variance of a mean over three columns that noise may have. What is the same in all pixels of a column shows between
+/// neighbours; speckle, which neighbours share, shows in the light as well: unevenness u of the light goes with a scatter
+/// of u times the half width, times 0.96 for the weights of ColumnMoments.
+double ControlVariates::explained(const Moments& sum)
+{
+  constexpr double kSpecklePerLight = 0.92;
+  const double light = std::max(1e-9, sum.light / sum.count);
+  return sum.fine / sum.count / 3.0 +
+         kSpecklePerLight * sum.width / sum.count * sum.uneven / sum.count / (light * light);
+}
+
+ControlVariates::Moments ControlVariates::momentsOf(const Means& means, int stretch, double most) const
 {
   const int begin = stretch * kStretch;
   const int end = std::min(count_, begin + kStretch);
@@ -131,13 +166,18 @@ ControlVariates::Moments ControlVariates::momentsOf(int stretch, double most) co
   const MomentsOf::In in{ rough_.data(),
                           rough_feigned_.data(),
                           rough_difference_.data(),
+                          means.difference,
+                          fine_.data(),
+                          rough_light_.data(),
+                          means.light,
+                          means.width,
                           begin,
                           end,
                           static_cast<float>(most + 1e-6),
                           static_cast<float>(kOutlier * most_d + 1e-6) };
-  double sums[7];
-  dispatch<MomentsOf>(in, sums);
-  return Moments{ sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6] };
+  double s[MomentsOf::kSums];
+  dispatch<MomentsOf>(in, s);
+  return Moments{ s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[10], s[11] };
 }
 
 /// Lower quartile of the stretches' mean magnitudes: a stripe that is broken or bent sharply in most of them must not
@@ -183,7 +223,10 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   constexpr double kLeast = 1e-9;
   result.feigned = static_cast<float>(feigned);
   result.flanks = static_cast<float>(flanks);
-  result.variance = static_cast<float>(std::max(0.0, left / sum.count) + kLeast);
+  const double noise = explained(sum);
+  const double seen = std::max(0.0, left / sum.count);
+  result.variance = static_cast<float>((seen > kUnexplained * noise ? noise : seen) + kLeast);
+  result.lean = static_cast<float>(sum.lean / sum.count);
   result.difference = static_cast<float>(sum.dd / sum.count + kLeast);
   return result;
 }
@@ -191,7 +234,7 @@ StretchScatter ControlVariates::solve(const Moments& sum)
 void ControlVariates::learn(const Means& means)
 {
   count_ = means.count;
-  for (std::vector<float>* rough : { &rough_, &rough_feigned_, &rough_difference_ })
+  for (std::vector<float>* rough : { &rough_, &rough_feigned_, &rough_difference_, &rough_light_, &fine_ })
   {
     rough->resize(static_cast<std::size_t>(count_));
     std::fill(rough->begin(), rough->begin() + std::min(kReach, count_), kUnknown);
@@ -200,6 +243,8 @@ void ControlVariates::learn(const Means& means)
   dispatch<RoughnessOf>(means.centre, means.columns, count_, rough_.data());
   dispatch<RoughnessOf>(means.feigned, means.columns, count_, rough_feigned_.data());
   dispatch<RoughnessOf>(means.difference, means.columns, count_, rough_difference_.data());
+  dispatch<RoughnessOf>(means.light, means.columns, count_, rough_light_.data());
+  dispatch<FinenessOf>(means.single, count_, fine_.data());
 
   const int stretches = (count_ + kStretch - 1) / kStretch;
   magnitudes_.assign(static_cast<std::size_t>(stretches), 0.0);
@@ -208,7 +253,7 @@ void ControlVariates::learn(const Means& means)
   const double typical = typicalMagnitude();
   for (int i = 0; i < stretches; ++i)
     moments_[static_cast<std::size_t>(i)] =
-        momentsOf(i, kOutlier * std::min(magnitudes_[static_cast<std::size_t>(i)], kTypical * typical));
+        momentsOf(means, i, kOutlier * std::min(magnitudes_[static_cast<std::size_t>(i)], kTypical * typical));
   for (int i = 0; i < stretches; ++i)
   {
     Moments sum;

@@ -11,13 +11,16 @@ struct StretchScatter
   float flanks = 0.0F;      ///< share of the flanks in the centre
   float variance = 0.0F;    ///< of a mean over three columns, after both [px^2]
   float difference = 0.0F;  ///< of the difference between flanks and core, over three columns [px^2]
+  float lean = 0.0F;        ///< mean difference between flanks and core: the profile's own skewness [px]
 };
 
 /// Learns, stretch by stretch, how far two corrections make the centre's scatter along the stripe less (control
 /// variates: least squares on what is rough in all three), and what scatter is left.
 ///
 /// Rough is what is left of values six columns apart in their fifth difference: a weld's outline leaves next to nothing
-/// of itself in it, and six columns are farther than speckle is alike. Steps and spatter are left out.
+/// of itself in it, and six columns are farther than speckle is alike. Steps and spatter are left out. An outline that
+/// is rough itself (a narrow notch) is told from noise by what neighbouring columns and the light along the stripe say:
+/// scatter beyond what both explain is not taken for noise.
 class ControlVariates
 {
 public:
@@ -29,7 +32,10 @@ public:
     const float* centre;
     const float* feigned;     ///< offset that reflectance feigns
     const float* difference;  ///< flanks minus core
+    const float* light;
     const float* columns;
+    const float* single;  ///< the centre of one column
+    const float* width;   ///< half width down the column [px]
     int count;
   };
   void learn(const Means& means);
@@ -39,15 +45,17 @@ public:
 private:
   struct Moments
   {
-    double count = 0.0, ee = 0.0, ef = 0.0, ed = 0.0, ff = 0.0, fd = 0.0, dd = 0.0;
+    double count = 0.0, ee = 0.0, ef = 0.0, ed = 0.0, ff = 0.0, fd = 0.0, dd = 0.0;  ///< of what is rough
+    double lean = 0.0, fine = 0.0, uneven = 0.0, light = 0.0, width = 0.0;           ///< sums; see explained()
     void add(const Moments& other, double share);
   };
   double typicalMagnitude();
-  Moments momentsOf(int stretch, double most) const;
+  Moments momentsOf(const Means& means, int stretch, double most) const;
+  static double explained(const Moments& sum);
   static StretchScatter solve(const Moments& sum);
 
   std::vector<StretchScatter> stretches_;
-  std::vector<float> rough_, rough_feigned_, rough_difference_;
+  std::vector<float> rough_, rough_feigned_, rough_difference_, rough_light_, fine_;
   std::vector<double> magnitudes_, sorted_;
   std::vector<Moments> moments_;
   int count_ = 0;
