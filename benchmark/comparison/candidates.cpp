@@ -1,8 +1,10 @@
 #include "comparison/candidates.h"
 
+#include <cmath>
 #include <cstdlib>
 
 #include "comparison/opencv_steger.h"
+#include "reference/plain_svd.h"
 #include "weld_profiler/stripe/stripe_methods.h"
 #include "weld_profiler/stripe/stripe_stage.h"
 #include "weld_profiler/stripe/workspace.h"
@@ -50,6 +52,30 @@ public:
 private:
   OpencvSteger steger_;
 };
+
+/// The paper's chain over the whole frame, with the kernel that method svd takes for the stripe.
+class PlainSvd : public Candidate
+{
+public:
+  explicit PlainSvd(double sigma) : sigma_(sigma) {}
+  void process(const RawImage& image, Stripe& stripe) override
+  {
+    const cv::Mat frame(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.data), image.step);
+    stripe.clear();
+    for (const reference::PlainCentre& centre : reference::plainSvd(frame, sigma_))
+    {
+      StripePoint point;
+      point.cell = static_cast<std::uint16_t>(centre.cell);
+      point.u = static_cast<float>(centre.u);
+      point.v = static_cast<float>(centre.v);
+      stripe.push_back(point);
+    }
+    stripe.status = stripe.empty() ? StripeStatus::NoStripe : StripeStatus::Ok;
+  }
+
+private:
+  double sigma_;
+};
 }  // namespace
 
 std::string defaultMethod()
@@ -72,6 +98,8 @@ std::unique_ptr<Candidate> makeCandidate(const std::string& name, const Candidat
   const double kernel = at == std::string::npos ? 0.0 : std::atof(name.c_str() + at + 1);
   if (method == "opencv_steger")
     return std::make_unique<Textbook>(kernel > 0.0 ? kernel : kKernelPerStripe * settings.stripe_sigma);
+  if (method == "svd_plain")
+    return std::make_unique<PlainSvd>(0.25 * std::round(kKernelPerStripe * settings.stripe_sigma / 0.25));
   StripeParams params;
   params.method = method;
   params.direction = "u";

@@ -37,7 +37,8 @@ std::string defaultMethod();
 /// Names of all contestants: every method in the table, then the outsiders `opencv_steger` (textbook) and
 /// `paper_to_the_letter` (svd, taylor literal, sobel, median 3).
 std::vector<std::string> candidateNames();
-/// Also takes `steger@2.0` and `opencv_steger@2.0`: with a kernel of that sigma [px].
+/// Also takes `svd_plain`, the paper's chain over the whole frame (8 bit), for its time, and `steger@2.0` and
+/// `opencv_steger@2.0`: with a kernel of that sigma [px].
 std::unique_ptr<Candidate> makeCandidate(const std::string& name, const CandidateSettings& settings = {});
 }  // namespace comparison
 }  // namespace weld_profiler

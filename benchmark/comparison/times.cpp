@@ -179,6 +179,8 @@ void compareTimes(Context& context)
   std::map<std::string, Timing> cold;
   for (const std::string& name : context.options().methods)
     cold[name] = timeMethod(context, name, frames);
+  if (cold.count("svd") > 0)
+    cold["svd_plain"] = timeMethod(context, "svd_plain", frames);
   const std::string own = context.judged();
   acceptFaster(context, cold,
                { "default against plain OpenCV Steger on the frame, times faster", "opencv_steger", own.c_str(), 400.0,
