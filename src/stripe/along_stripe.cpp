@@ -67,10 +67,20 @@ void AlongStripe::prepareColumns(const ColumnTrack& track)
                                track.core.data(),
                                track.flanks.data(),
                                slope_.data(),
+                               at(SpareB),
                                at(Feigned),
                                at(Difference),
                                at(Offset) };
   dispatch<PrepareColumns>(in);
+}
+
+void AlongStripe::meanSlopes()
+{
+  sum(SpareB, 1, SpareA);
+  sum(SpareA, 3, SpareB);
+  sum(SpareB, 9, SpareC);
+  dispatch<MeanSlope>(at(SpareB), at(Sum9), slots_, at(Slope9));
+  dispatch<MeanSlope>(at(SpareC), at(Sum27), slots_, at(Slope27));
 }
 
 void AlongStripe::meanAlong()
@@ -79,8 +89,8 @@ void AlongStripe::meanAlong()
   sum(SpareA, 3, SpareB);
   sum(SpareB, 9, SpareC);
   dispatch<MeanOf>(at(SpareA), at(Sum3), at(Lever3), slope_.data(), slots_, at(Mean3));
-  dispatch<MeanOf>(at(SpareB), at(Sum9), at(Lever9), slope_.data(), slots_, at(Mean9));
-  dispatch<MeanOf>(at(SpareC), at(Sum27), at(Lever27), slope_.data(), slots_, at(Mean27));
+  dispatch<MeanOf>(at(SpareB), at(Sum9), at(Lever9), at(Slope9), slots_, at(Mean9));
+  dispatch<MeanOf>(at(SpareC), at(Sum27), at(Lever27), at(Slope27), slots_, at(Mean27));
 }
 
 void AlongStripe::join(const ColumnTrack& track, int max_aperture)
@@ -88,6 +98,7 @@ void AlongStripe::join(const ColumnTrack& track, int max_aperture)
   resize(track.slots());
   countColumns(track);
   prepareColumns(track);
+  meanSlopes();
   sum(Offset, 1, SpareA);
   dispatch<MeanOf>(at(SpareA), at(Sum3), at(Lever3), slope_.data(), slots_, at(Mean3));
   dispatch<MeanOfThree>(at(Feigned), slots_, at(Feigned3));

@@ -35,7 +35,7 @@ public:
 
   // one a slot
   const std::vector<float>& row() const { return row_; }            ///< of the centre [px]
-  const std::vector<float>& slope() const { return slope_; }        ///< of the line, rows a column
+  const std::vector<float>& slope() const { return arrays_[Slope9]; }        ///< of the line, rows a column
   const std::vector<float>& sigma() const { return sigma_; }        ///< of the row [px]
   const std::vector<float>& aperture() const { return aperture_; }  ///< columns whose pixels take part; 0 = no centre
 
@@ -63,6 +63,8 @@ private:
     Square27,  // squared differences between the means
     Seen9,
     Seen27,  // their sums around a column
+    Slope9,       // mean slopes
+    Slope27,
     SpareA,
     SpareB,
     SpareC,
@@ -73,6 +75,7 @@ private:
   void sum(Array values, int lag, Array to);
   void countColumns(const ColumnTrack& track);
   void prepareColumns(const ColumnTrack& track);
+  void meanSlopes();
   void meanAlong();
   void compareMeans();
   void choose(const ColumnTrack& track, int max_aperture);

@@ -66,6 +66,17 @@ struct MeanOf
   }
 };
 
+/// Mean slope of the columns held.
+struct MeanSlope
+{
+  WELD_PROFILER_KERNEL static void run(const float* __restrict sum, const float* __restrict weights, int count,
+                                       float* __restrict slope)
+  {
+    for (int i = 0; i < count; ++i)
+      slope[i] = sum[i] / (weights[i] > 1.0F ? weights[i] : 1.0F);
+  }
+};
+
 struct Settling
 {
   WELD_PROFILER_KERNEL static void run(int count, const float* __restrict weight, const float* __restrict core,
@@ -122,7 +133,7 @@ struct PrepareColumns
   {
     int count;
     const float *v, *sigma, *light, *weight, *core, *flanks;
-    float *slope, *feigned, *difference, *offset;
+    float *slope, *held_slope, *feigned, *difference, *offset;
   };
   WELD_PROFILER_KERNEL static void run(In in)
   {
@@ -133,6 +144,7 @@ struct PrepareColumns
     const float* __restrict core = in.core;
     const float* __restrict flanks = in.flanks;
     float* __restrict slope = in.slope;
+    float* __restrict held_slope = in.held_slope;
     float* __restrict feigned = in.feigned;
     float* __restrict difference = in.difference;
     float* __restrict offset = in.offset;
@@ -140,6 +152,7 @@ struct PrepareColumns
     {
       const float rise = (v[i + 4] - v[i - 4]) * 0.125F;
       slope[i] = rise;
+      held_slope[i] = weight[i] > 0.0F ? rise : 0.0F;
       // At an end the column itself stands in for the neighbour that is missing.
       const float before = weight[i - 1] > 0.0F ? light[i - 1] : light[i];
       const float after = weight[i + 1] > 0.0F ? light[i + 1] : light[i];

@@ -102,7 +102,7 @@ struct ChooseAperture
   /// Share of the shorter mean, from the squared difference seen and that which noise makes.
   WELD_PROFILER_KERNEL static float shareOf(float seen, float noise)
   {
-    constexpr float kTau = 1.6F;
+    constexpr float kTau = 2.2F;
     constexpr float kFull = 1.05F;  // a clear difference takes the shorter mean alone
     const float share = kFull * (1.0F - kTau * noise / (seen > 1e-20F ? seen : 1e-20F));
     return share < 0.0F ? 0.0F : (share > 1.0F ? 1.0F : share);
@@ -111,6 +111,7 @@ struct ChooseAperture
   WELD_PROFILER_KERNEL static void choose(const In& in, int begin, int end, const StretchScatter& learnt)
   {
     constexpr float kAlone = 1.0F / 9.0F;  // what one column's own difference counts for beside the mean around it
+    constexpr float kSeenByChance = 1.4F;
     constexpr float kSkew = 0.8F;          // of a column's cut through a curved, oblique stripe
     constexpr float kDisturbed = 9.0F;     // flanks and core differ by three sigmas
     const float v3 = learnt.variance;
@@ -146,8 +147,8 @@ struct ChooseAperture
       const float p27 = 1.0F / n27;
       const float p_longer = p27 + share9 * share9 * (p9 - p27);
       const float p = p_longer + share3 * share3 * (1.0F / n3 - p_longer);
-      const float left9 = seen9 > noise9 ? seen9 - noise9 : 0.0F;
-      const float left27 = seen27 > noise27 ? seen27 - noise27 : 0.0F;
+      const float left9 = seen9 > kSeenByChance * noise9 ? seen9 - kSeenByChance * noise9 : 0.0F;
+      const float left27 = seen27 > kSeenByChance * noise27 ? seen27 - kSeenByChance * noise27 : 0.0F;
       const float bias = (1.0F - share3) * (1.0F - share3) * (left9 + (1.0F - share9) * (1.0F - share9) * left27);
       const float square = in.slope[i] * in.slope[i];
       const float skew = kSkew * in.bend[i] * square / ((1.0F + square) * (1.0F + square)) * in.width[i] * in.width[i];

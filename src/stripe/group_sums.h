@@ -19,6 +19,7 @@ public:
   void measure(const ImageView& image, int row_step);
 
   int groups() const { return groups_; }
+  int columns() const { return last_column_ + kGroup; }
   int rows() const { return rows_; }
   int rowStep() const { return row_step_; }
   std::size_t stride() const { return stride_; }  ///< from one row to the next; a multiple of 16

@@ -14,7 +14,7 @@ constexpr int kMostHalf = 3;             ///< 7 points
 constexpr double kFaintest = 3.0;        ///< in the noise; the logarithm of less is nothing but noise
 constexpr int kMoves = 2;                ///< pixels that the middle point may be off the brightest
 constexpr double kBetweenPixels = 0.55;  ///< a vertex half-way between two pixels may swing between them
-constexpr double kAstraySigmas = 1.0;    ///< from the centroid; a vertex that went farther follows something else
+constexpr double kAstraySigmas = 0.4;    ///< from the centroid; a vertex farther off is that of a broad, rugged top
 
 struct Vertex
 {

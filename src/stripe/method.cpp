@@ -42,6 +42,7 @@ void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Wor
     return;
   const Levels levels = levelsOf(image, params_);
   scratch.centroid.measure(image, levels, scratch.statistics, weight(), scratch.seeds, scratch.centres);
+  dropLoneCentres(scratch.centres);
   measureSlopes(scratch.centres);
   for (Centre& centre : scratch.centres)
   {

@@ -95,6 +95,7 @@ PathTrack::Node PathTrack::measure(const GroupSums& sums, const PathNode& node)
     result.background = above >= 0.0F ? above : (below >= 0.0F ? below : base);
   result.background /= sums.perLevel();
   result.gradient /= sums.perLevel();
+  result.span = step * static_cast<float>(2 * reach + kFlankSamples - 1);
   return result;
 }
 
@@ -111,6 +112,20 @@ void PathTrack::takeSmear(std::size_t begin, std::size_t end)
   }
   for (std::size_t i = begin; i < end; ++i)
     nodes_[i].sigma = std::max(kNarrowest, evened_[i]);
+}
+
+/// Background that noise alone could make slope is taken for level: its slope would move every centre around.
+void PathTrack::dropUnsureGradients(std::size_t begin, std::size_t end, float noise)
+{
+  // Two medians of three sums of eight columns; a median of five and a mean of nine leave a sixth of their variance.
+  constexpr float kVariance = 2.0F / (kGroup * 3.0F * 0.7F) / 6.0F;
+  constexpr float kSurely = 6.0F;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const float chance = kVariance * noise * noise / std::max(1.0F, nodes_[i].span * nodes_[i].span);
+    const float square = std::max(1e-12F, nodes_[i].gradient * nodes_[i].gradient);
+    nodes_[i].gradient *= std::max(0.0F, 1.0F - kSurely * chance / square);
+  }
 }
 
 /// Running mean of nine neighbours.
@@ -194,8 +209,9 @@ void ColumnTrack::layOn(const Piece& piece)
   }
 }
 
-void PathTrack::lay(const GroupSums& sums, const std::vector<PathNode>& nodes, int columns, ColumnTrack& track)
+void PathTrack::lay(const GroupSums& sums, const std::vector<PathNode>& nodes, float noise, ColumnTrack& track)
 {
+  const int columns = sums.columns();
   nodes_.clear();
   for (const PathNode& node : nodes)
     nodes_.push_back(measure(sums, node));
@@ -216,6 +232,7 @@ void PathTrack::lay(const GroupSums& sums, const std::vector<PathNode>& nodes, i
     evenOut(begin, end, &Node::gradient);
     smooth(begin, end, &Node::background);
     smooth(begin, end, &Node::gradient);
+    dropUnsureGradients(begin, end, noise);
     layPiece(begin, end, columns, track);
     track.layOn(track.pieces.back());
   }

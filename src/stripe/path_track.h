@@ -12,12 +12,14 @@ namespace weld_profiler
 class PathTrack
 {
 public:
-  void lay(const GroupSums& sums, const std::vector<PathNode>& nodes, int columns, ColumnTrack& track);
+  /// @param noise  1-sigma of one pixel [grey levels].
+  void lay(const GroupSums& sums, const std::vector<PathNode>& nodes, float noise, ColumnTrack& track);
 
 private:
   struct Node
   {
     float u = 0.0F, v = 0.0F, sigma = 0.0F, background = 0.0F, gradient = 0.0F, ambiguous = 0.0F;
+    float span = 0.0F;  ///< between the flanks [px]
     bool starts_piece = false;
   };
 
@@ -25,6 +27,7 @@ private:
   void takeSmear(std::size_t begin, std::size_t end);
   void evenOut(std::size_t begin, std::size_t end, float Node::*field);
   void smooth(std::size_t begin, std::size_t end, float Node::*field);
+  void dropUnsureGradients(std::size_t begin, std::size_t end, float noise);
   void layPiece(std::size_t begin, std::size_t end, int columns, ColumnTrack& track) const;
 
   std::vector<Node> nodes_;

@@ -82,6 +82,6 @@ void StripeFinder::find(const ImageView& image, const Levels& levels, double min
     look(image, 1, least);
   if (!standsOut())
     nodes_.clear();
-  laid_.lay(sums_, nodes_, image.width, track);
+  laid_.lay(sums_, nodes_, noise_, track);
 }
 }  // namespace weld_profiler
