@@ -115,8 +115,8 @@ struct ChooseAperture
     constexpr float kSkew = 0.8F;          // of a column's cut through a curved, oblique stripe
     constexpr float kDisturbed = 9.0F;     // flanks and core differ by three sigmas
     const float v3 = learnt.variance;
-    const float noise9 = (2.0F / 3.0F) * v3;
-    const float noise27 = (2.0F / 9.0F) * v3;
+    const float noise9 = (1.0F - learnt.grain / 3.0F) * v3;
+    const float noise27 = (2.0F / 9.0F) * learnt.grain * v3;
     const float only3 = in.max_aperture < 9 ? 1.0F : 0.0F;
     const float only9 = in.max_aperture < 27 ? 1.0F : 0.0F;
     const float* __restrict c3 = in.c3;
@@ -143,8 +143,8 @@ struct ChooseAperture
       const float share9 = chosen9 > only9 ? chosen9 : only9;
       const float longer = c27[i] + share9 * d27;
       const float middle = longer + share3 * (c3[i] - longer);
-      const float p9 = 1.0F / n9;
-      const float p27 = 1.0F / n27;
+      const float p9 = learnt.grain / n9;
+      const float p27 = learnt.grain / n27;
       const float p_longer = p27 + share9 * share9 * (p9 - p27);
       const float p = p_longer + share3 * share3 * (1.0F / n3 - p_longer);
       const float left9 = seen9 > kSeenByChance * noise9 ? seen9 - kSeenByChance * noise9 : 0.0F;

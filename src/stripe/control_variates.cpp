@@ -19,6 +19,8 @@ constexpr int kNeighbours = 2;       // stretches on either side that are asked 
 constexpr double kCorrelated = 3.0;  // differences of means over common columns: so many count as one
 constexpr double kSurely = 4.0;      // squared significance from which a correction is used
 constexpr double kUnexplained = 2.5;      // times what noise explains: outline
+constexpr double kGrainPerLikeness = 0.35;  // between white noise and a speckle whose neighbours are alike to 0.6
+constexpr double kMostGrain = 1.5;
 constexpr double kLargestShare = 1.1;
 
 struct RoughnessOf
@@ -226,6 +228,10 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   const double noise = explained(sum);
   const double seen = std::max(0.0, left / sum.count);
   result.variance = static_cast<float>((seen > kUnexplained * noise ? noise : seen) + kLeast);
+  const double alike = 3.0 * seen / std::max(kLeast, sum.fine / sum.count);
+  result.grain = seen > kUnexplained * noise ?
+                     1.0F :
+                     static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * (alike - 1.0), 1.0, kMostGrain));
   result.lean = static_cast<float>(sum.lean / sum.count);
   result.difference = static_cast<float>(sum.dd / sum.count + kLeast);
   return result;
