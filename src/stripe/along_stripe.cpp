@@ -104,7 +104,7 @@ void AlongStripe::join(const ColumnTrack& track, int max_aperture)
   dispatch<MeanOfThree>(at(Feigned), slots_, at(Feigned3));
   dispatch<MeanOfThree>(at(Difference), slots_, at(Difference3));
   dispatch<MeanOfThree>(track.light.data(), slots_, at(Light3));
-  variates_.learn(ControlVariates::Means{ at(Mean3), at(Feigned3), at(Difference3), at(Light3), at(Sum3), at(Offset),
+  variates_.learn(ControlVariates::Means{ at(Mean3), at(Feigned3), at(Difference3), track.light.data(), at(Sum3), at(Offset),
                                           track.sigma.data(), slots_ });
   const auto stretches = static_cast<int>(variates_.stretches().size());
   dispatch<Correct>(slots_, stretches, variates_.stretches().data(), at(Feigned), at(Difference), at(Offset));

@@ -157,7 +157,7 @@ struct ChooseAperture
       const float disturbed = apart > kDisturbed * learnt.difference ? 0.5F * apart : 0.0F;
       const float columns = share3 >= 1.0F ? n3 : (share9 >= 1.0F ? n9 : n27);
       row[i] = middle - skew;
-      sigma[i] = __builtin_sqrtf(3.0F * v3 * p + bias + disturbed);
+      sigma[i] = __builtin_sqrtf(3.0F * learnt.told * p + bias + disturbed);
       aperture[i] = in.weight[i] > 0.0F ? columns : 0.0F;
     }
   }

@@ -18,7 +18,9 @@ constexpr double kEnough = 24.0;
 constexpr int kNeighbours = 2;       // stretches on either side that are asked as well, by less and less
 constexpr double kCorrelated = 3.0;  // differences of means over common columns: so many count as one
 constexpr double kSurely = 4.0;      // squared significance from which a correction is used
-constexpr double kUnexplained = 2.5;      // times what noise explains: outline
+constexpr double kOutline = 2.5;           // scatter over what noise explains
+constexpr double kLikely = 1.5;
+constexpr double kSpeckleShare = 0.5;      // of the flanks, from which there is speckle beyond doubt
 constexpr double kGrainPerLikeness = 0.35;  // between white noise and a speckle whose neighbours are alike to 0.6
 constexpr double kMostGrain = 1.5;
 constexpr double kLargestShare = 1.1;
@@ -148,9 +150,9 @@ void ControlVariates::Moments::add(const Moments& other, double share)
   width += share * other.width;
 }
 
-/// Variance of a mean over three columns that noise may have. What is the same in all pixels of a column shows between
-/// neighbours; speckle, which neighbours share, shows in the light as well: unevenness u of the light goes with a scatter
-/// of u times the half width, times 0.96 for the weights of ColumnMoments.
+/// Variance of a mean over three columns that noise can have. What is the same in all pixels of a column shows between
+/// neighbours; speckle, which neighbours share, shows in the light as well: where the light is uneven by a share u from
+/// column to column, the centre scatters by about 0.96 u half widths.
 double ControlVariates::explained(const Moments& sum)
 {
   constexpr double kSpecklePerLight = 0.92;
@@ -227,11 +229,14 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   result.flanks = static_cast<float>(flanks);
   const double noise = explained(sum);
   const double seen = std::max(0.0, left / sum.count);
-  result.variance = static_cast<float>((seen > kUnexplained * noise ? noise : seen) + kLeast);
+  // An outline is told from noise only where it is far beyond: what reflectance leaves of itself is averaged out as if
+  // it were noise, and is no noise.
+  result.variance = static_cast<float>((seen > kOutline * noise ? noise : seen) + kLeast);
+  result.told = static_cast<float>(std::min(seen, kLikely * noise) + kLeast);
   const double alike = 3.0 * seen / std::max(kLeast, sum.fine / sum.count);
-  result.grain = seen > kUnexplained * noise ?
-                     1.0F :
-                     static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * (alike - 1.0), 1.0, kMostGrain));
+  const double speckle = std::min(1.0, flanks / kSpeckleShare);
+  result.grain =
+      static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * speckle * (alike - 1.0), 1.0, kMostGrain));
   result.lean = static_cast<float>(sum.lean / sum.count);
   result.difference = static_cast<float>(sum.dd / sum.count + kLeast);
   return result;
@@ -249,7 +254,7 @@ void ControlVariates::learn(const Means& means)
   dispatch<RoughnessOf>(means.centre, means.columns, count_, rough_.data());
   dispatch<RoughnessOf>(means.feigned, means.columns, count_, rough_feigned_.data());
   dispatch<RoughnessOf>(means.difference, means.columns, count_, rough_difference_.data());
-  dispatch<RoughnessOf>(means.light, means.columns, count_, rough_light_.data());
+  dispatch<FinenessOf>(means.light, count_, rough_light_.data());
   dispatch<FinenessOf>(means.single, count_, fine_.data());
 
   const int stretches = (count_ + kStretch - 1) / kStretch;

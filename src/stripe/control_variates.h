@@ -10,6 +10,7 @@ struct StretchScatter
   float feigned = 0.0F;     ///< share of what reflectance feigns that is there
   float flanks = 0.0F;      ///< share of the flanks in the centre
   float variance = 0.0F;    ///< of a mean over three columns, after both [px^2]
+  float told = 0.0F;        ///< the same, as far as noise explains it
   float difference = 0.0F;  ///< of the difference between flanks and core, over three columns [px^2]
   float grain = 1.0F;       ///< variance of a mean over many columns, in what it were if neighbours were independent
   float lean = 0.0F;        ///< mean difference between flanks and core: the profile's own skewness [px]
