@@ -21,8 +21,9 @@ constexpr double kSurely = 4.0;      // squared significance from which a correc
 constexpr double kOutline = 2.5;           // scatter over what noise explains
 constexpr double kLikely = 1.5;
 constexpr double kSpeckleShare = 0.5;      // of the flanks, from which there is speckle beyond doubt
-constexpr double kGrainPerLikeness = 0.35;  // between white noise and a speckle whose neighbours are alike to 0.6
-constexpr double kMostGrain = 1.5;
+constexpr double kSpeckled = 1.5;          // more of it where there is speckle
+constexpr double kGrainPerLikeness = 0.8;  // between white noise and a speckle whose neighbours are alike to 0.6
+constexpr double kMostGrain = 2.2;
 constexpr double kLargestShare = 1.1;
 
 struct RoughnessOf
@@ -153,12 +154,15 @@ void ControlVariates::Moments::add(const Moments& other, double share)
 /// Variance of a mean over three columns that noise can have. What is the same in all pixels of a column shows between
 /// neighbours; speckle, which neighbours share, shows in the light as well: where the light is uneven by a share u from
 /// column to column, the centre scatters by about 0.96 u half widths.
-double ControlVariates::explained(const Moments& sum)
+ControlVariates::Explained ControlVariates::explained(const Moments& sum)
 {
   constexpr double kSpecklePerLight = 0.92;
+  constexpr double kWhite = 0.45;  // white noise makes the light uneven as well: that is not to be counted twice
   const double light = std::max(1e-9, sum.light / sum.count);
-  return sum.fine / sum.count / 3.0 +
-         kSpecklePerLight * sum.width / sum.count * sum.uneven / sum.count / (light * light);
+  const double fine = sum.fine / sum.count / 3.0;
+  const double uneven =
+      kSpecklePerLight * sum.width / sum.count * sum.uneven / sum.count / (light * light);
+  return Explained{ fine + uneven, std::max(fine, kWhite * uneven) };
 }
 
 ControlVariates::Moments ControlVariates::momentsOf(const Means& means, int stretch, double most) const
@@ -227,14 +231,14 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   constexpr double kLeast = 1e-9;
   result.feigned = static_cast<float>(feigned);
   result.flanks = static_cast<float>(flanks);
-  const double noise = explained(sum);
+  const Explained noise = explained(sum);
   const double seen = std::max(0.0, left / sum.count);
   // An outline is told from noise only where it is far beyond: what reflectance leaves of itself is averaged out as if
   // it were noise, and is no noise.
-  result.variance = static_cast<float>((seen > kOutline * noise ? noise : seen) + kLeast);
-  result.told = static_cast<float>(std::min(seen, kLikely * noise) + kLeast);
-  const double alike = 3.0 * seen / std::max(kLeast, sum.fine / sum.count);
+  result.variance = static_cast<float>((seen > kOutline * noise.most ? noise.most : seen) + kLeast);
   const double speckle = std::min(1.0, flanks / kSpeckleShare);
+  result.told = static_cast<float>(std::min(seen, (kLikely + kSpeckled * speckle) * noise.likely) + kLeast);
+  const double alike = 3.0 * seen / std::max(kLeast, sum.fine / sum.count);
   result.grain =
       static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * speckle * (alike - 1.0), 1.0, kMostGrain));
   result.lean = static_cast<float>(sum.lean / sum.count);

@@ -53,7 +53,11 @@ private:
   };
   double typicalMagnitude();
   Moments momentsOf(const Means& means, int stretch, double most) const;
-  static double explained(const Moments& sum);
+  struct Explained
+  {
+    double most, likely;
+  };
+  static Explained explained(const Moments& sum);
   static StretchScatter solve(const Moments& sum);
 
   std::vector<StretchScatter> stretches_;
