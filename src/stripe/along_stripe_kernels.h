@@ -86,10 +86,13 @@ struct Settling
     constexpr float kMost = 4.0F;
     for (int i = 0; i < count; ++i)
     {
-      const float low = spread[i] < kMost ? spread[i] : kMost;
+      float held = weight[i];
+      float seen = spread[i];
+      float shift = core[i];
+      const float low = seen < kMost ? seen : kMost;
       const float square = low > kLeast ? low : kLeast;
-      moved[i] = weight[i] > 0.0F ? core[i] : 0.0F;
-      wide[i] = weight[i] > 0.0F ? square : 0.0F;
+      moved[i] = held > 0.0F ? shift : 0.0F;
+      wide[i] = held > 0.0F ? square : 0.0F;
     }
   }
 };
@@ -114,13 +117,18 @@ struct SettleReference
     const float* __restrict wide27 = in.wide27;
     float* __restrict v = in.v;
     float* __restrict sigma = in.sigma;
+    WELD_PROFILER_APART
     for (int i = kGuard; i < in.count - kGuard; ++i)
     {
-      const float near = moved3[i] / (sum3[i] > 1.0F ? sum3[i] : 1.0F);
-      const float around = moved9[i] / (sum9[i] > 1.0F ? sum9[i] : 1.0F);
-      v[i] += sum3[i] > 0.0F ? near : around;
-      const float square = wide27[i] / (sum27[i] > 1.0F ? sum27[i] : 1.0F);
-      sigma[i] *= __builtin_sqrtf(sum27[i] > 0.0F ? square : 1.0F);
+      float n3 = sum3[i];
+      float n9 = sum9[i];
+      float n27 = sum27[i];
+      const float near = moved3[i] / (n3 > 1.0F ? n3 : 1.0F);
+      const float around = moved9[i] / (n9 > 1.0F ? n9 : 1.0F);
+      const float square = wide27[i] / (n27 > 1.0F ? n27 : 1.0F);
+      const float scale = n27 > 0.0F ? square : 1.0F;
+      v[i] += n3 > 0.0F ? near : around;
+      sigma[i] *= __builtin_sqrtf(scale);
     }
   }
 };
@@ -148,21 +156,30 @@ struct PrepareColumns
     float* __restrict feigned = in.feigned;
     float* __restrict difference = in.difference;
     float* __restrict offset = in.offset;
+    WELD_PROFILER_APART
     for (int i = 4; i < in.count - 4; ++i)
     {
       const float rise = (v[i + 4] - v[i - 4]) * 0.125F;
-      slope[i] = rise;
-      held_slope[i] = weight[i] > 0.0F ? rise : 0.0F;
+      float held = weight[i];
+      float held_before = weight[i - 1];
+      float held_after = weight[i + 1];
+      float here = light[i];
+      float left = light[i - 1];
+      float right = light[i + 1];
+      float middle = core[i];
+      const float apart = flanks[i] - middle;
+      const float row = v[i] + middle;
       // At an end the column itself stands in for the neighbour that is missing.
-      const float before = weight[i - 1] > 0.0F ? light[i - 1] : light[i];
-      const float after = weight[i + 1] > 0.0F ? light[i + 1] : light[i];
-      const float steps = weight[i - 1] + weight[i + 1];
-      const float whole = (before + after) * steps;
+      const float before = held_before > 0.0F ? left : here;
+      const float after = held_after > 0.0F ? right : here;
+      const float whole = (before + after) * (held_before + held_after);
       const float change = 2.0F * (after - before) / (whole > 1e-3F ? whole : 1e-3F);
       const float there = sigma[i] * sigma[i] * rise / (1.0F + rise * rise) * change;
-      feigned[i] = weight[i] > 0.0F ? there : 0.0F;
-      difference[i] = weight[i] > 0.0F ? flanks[i] - core[i] : 0.0F;
-      offset[i] = weight[i] > 0.0F ? v[i] + core[i] : 0.0F;
+      slope[i] = rise;
+      held_slope[i] = held > 0.0F ? rise : 0.0F;
+      feigned[i] = held > 0.0F ? there : 0.0F;
+      difference[i] = held > 0.0F ? apart : 0.0F;
+      offset[i] = held > 0.0F ? row : 0.0F;
     }
   }
 };

@@ -14,6 +14,16 @@ WELD_PROFILER_KERNEL float sureOf(float value, float variance)
   return value * (rest > 0.0F ? rest : 0.0F);
 }
 
+WELD_PROFILER_KERNEL float most(float a, float b)
+{
+  return a > b ? a : b;
+}
+
+WELD_PROFILER_KERNEL float least(float a, float b)
+{
+  return a < b ? a : b;
+}
+
 /// Takes off the means over 3, 9 and 27 columns what the line's curvature adds to them, and compares them.
 struct TakeBend
 {
@@ -52,24 +62,35 @@ struct TakeBend
     float* __restrict bend = in.bend;
     float* __restrict square9 = in.square9;
     float* __restrict square27 = in.square27;
+    WELD_PROFILER_APART
     for (int i = begin; i < end; ++i)
     {
       const float near = (m3[i - 3] - 2.0F * m3[i] + m3[i + 3]) * (1.0F / 9.0F);
       const float wide = (m9[i - 9] - 2.0F * m9[i] + m9[i + 9]) * (1.0F / 81.0F);
       const float widest = (m9[i - 18] - 2.0F * m9[i] + m9[i + 18]) * (1.0F / 324.0F);
-      const float bend3 = n3[i - 3] + n3[i] + n3[i + 3] > 8.5F ? sureOf(near, v3 * (6.0F / 81.0F)) : 0.0F;
-      const bool holds9 = n9[i - 9] > 4.5F && n9[i] > 4.5F && n9[i + 9] > 4.5F;
-      const bool holds27 = n9[i - 18] > 4.5F && n9[i] > 4.5F && n9[i + 18] > 4.5F;
-      const float bend9 = holds9 ? sureOf(wide, v3 * (2.0F / 6561.0F)) : 0.0F;
-      const float bend27 = holds27 ? sureOf(widest, v3 * (2.0F / 104976.0F)) : 0.0F;
-      c3[i] = m3[i] - (1.0F / 3.0F) * bend3;
-      c9[i] = m9[i] - (10.0F / 3.0F) * bend9;
-      c27[i] = m27[i] - (91.0F / 3.0F) * bend27;
-      bend[i] = holds27 ? bend27 : bend9;
-      const float d9 = c3[i] - c9[i];
-      const float d27 = c9[i] - c27[i];
-      square9[i] = n3[i] > 0.0F ? d9 * d9 : 0.0F;
-      square27[i] = n3[i] > 0.0F ? d27 * d27 : 0.0F;
+      const float held3 = n3[i - 3] + n3[i] + n3[i + 3];
+      const float held9 = least(n9[i - 9], least(n9[i], n9[i + 9]));
+      const float held27 = least(n9[i - 18], least(n9[i], n9[i + 18]));
+      const float sure3 = sureOf(near, v3 * (6.0F / 81.0F));
+      const float sure9 = sureOf(wide, v3 * (2.0F / 6561.0F));
+      const float sure27 = sureOf(widest, v3 * (2.0F / 104976.0F));
+      const float bend3 = held3 > 8.5F ? sure3 : 0.0F;
+      const float bend9 = held9 > 4.5F ? sure9 : 0.0F;
+      const float bend27 = held27 > 4.5F ? sure27 : 0.0F;
+      const float mean3 = m3[i] - (1.0F / 3.0F) * bend3;
+      const float mean9 = m9[i] - (10.0F / 3.0F) * bend9;
+      const float mean27 = m27[i] - (91.0F / 3.0F) * bend27;
+      const float d9 = mean3 - mean9;
+      const float d27 = mean9 - mean27;
+      float held = n3[i];
+      const float both9 = d9 * d9;
+      const float both27 = d27 * d27;
+      c3[i] = mean3;
+      c9[i] = mean9;
+      c27[i] = mean27;
+      bend[i] = held27 > 4.5F ? bend27 : bend9;
+      square9[i] = held > 0.0F ? both9 : 0.0F;
+      square27[i] = held > 0.0F ? both27 : 0.0F;
     }
   }
 };
@@ -115,50 +136,73 @@ struct ChooseAperture
     constexpr float kSkew = 0.8F;          // of a column's cut through a curved, oblique stripe
     constexpr float kDisturbed = 9.0F;     // flanks and core differ by three sigmas
     const float v3 = learnt.variance;
+    const float told = learnt.told;
+    const float grain = learnt.grain;
+    const float lean = learnt.lean;
+    const float disturbing = kDisturbed * learnt.difference;
     const float noise9 = (1.0F - learnt.grain / 3.0F) * v3;
     const float noise27 = (2.0F / 9.0F) * learnt.grain * v3;
     const float only3 = in.max_aperture < 9 ? 1.0F : 0.0F;
     const float only9 = in.max_aperture < 27 ? 1.0F : 0.0F;
-    const float* __restrict c3 = in.c3;
-    const float* __restrict c9 = in.c9;
-    const float* __restrict c27 = in.c27;
+    const float* __restrict weights = in.weight;
+    const float* __restrict widths = in.width;
+    const float* __restrict slopes = in.slope;
+    const float* __restrict differences = in.difference;
+    const float* __restrict held3 = in.n3;
+    const float* __restrict held9 = in.n9;
+    const float* __restrict held27 = in.n27;
+    const float* __restrict held81 = in.n81;
+    const float* __restrict mean3 = in.c3;
+    const float* __restrict mean9 = in.c9;
+    const float* __restrict mean27 = in.c27;
+    const float* __restrict sum9 = in.seen9;
+    const float* __restrict sum27 = in.seen27;
+    const float* __restrict bends = in.bend;
     float* __restrict row = in.row;
     float* __restrict sigma = in.sigma;
     float* __restrict aperture = in.aperture;
+    WELD_PROFILER_APART
     for (int i = begin; i < end; ++i)
     {
-      const float n3 = in.n3[i] > 1.0F ? in.n3[i] : 1.0F;
-      const float n9 = in.n9[i] > 1.0F ? in.n9[i] : 1.0F;
-      const float n27 = in.n27[i] > 1.0F ? in.n27[i] : 1.0F;
-      const float n81 = in.n81[i] > 1.0F ? in.n81[i] : 1.0F;
-      const float d9 = c3[i] - c9[i];
-      const float d27 = c9[i] - c27[i];
-      const float around9 = in.seen9[i] / n27;
-      const float around27 = in.seen27[i] / n81;
-      const float seen9 = around9 > kAlone * d9 * d9 ? around9 : kAlone * d9 * d9;
-      const float seen27 = around27 > kAlone * d27 * d27 ? around27 : kAlone * d27 * d27;
+      float c3 = mean3[i];
+      float c9 = mean9[i];
+      float c27 = mean27[i];
+      const float n3 = most(held3[i], 1.0F);
+      const float n9 = most(held9[i], 1.0F);
+      const float n27 = most(held27[i], 1.0F);
+      const float n81 = most(held81[i], 1.0F);
+      const float d9 = c3 - c9;
+      const float d27 = c9 - c27;
+      const float around9 = sum9[i] / n27;
+      const float around27 = sum27[i] / n81;
+      const float seen9 = most(around9, kAlone * d9 * d9);
+      const float seen27 = most(around27, kAlone * d27 * d27);
       const float chosen3 = shareOf(seen9, noise9);
       const float chosen9 = shareOf(seen27, noise27);
-      const float share3 = chosen3 > only3 ? chosen3 : only3;
-      const float share9 = chosen9 > only9 ? chosen9 : only9;
-      const float longer = c27[i] + share9 * d27;
-      const float middle = longer + share3 * (c3[i] - longer);
-      const float p9 = learnt.grain / n9;
-      const float p27 = learnt.grain / n27;
+      const float share3 = most(chosen3, only3);
+      const float share9 = most(chosen9, only9);
+      const float longer = c27 + share9 * d27;
+      const float middle = longer + share3 * (c3 - longer);
+      const float p9 = grain / n9;
+      const float p27 = grain / n27;
       const float p_longer = p27 + share9 * share9 * (p9 - p27);
       const float p = p_longer + share3 * share3 * (1.0F / n3 - p_longer);
-      const float left9 = seen9 > kSeenByChance * noise9 ? seen9 - kSeenByChance * noise9 : 0.0F;
-      const float left27 = seen27 > kSeenByChance * noise27 ? seen27 - kSeenByChance * noise27 : 0.0F;
+      const float left9 = most(seen9 - kSeenByChance * noise9, 0.0F);
+      const float left27 = most(seen27 - kSeenByChance * noise27, 0.0F);
       const float bias = (1.0F - share3) * (1.0F - share3) * (left9 + (1.0F - share9) * (1.0F - share9) * left27);
-      const float square = in.slope[i] * in.slope[i];
-      const float skew = kSkew * in.bend[i] * square / ((1.0F + square) * (1.0F + square)) * in.width[i] * in.width[i];
-      const float off = in.difference[i] - learnt.lean;
+      float width = widths[i];
+      const float square = slopes[i] * slopes[i];
+      const float skew = kSkew * bends[i] * square / ((1.0F + square) * (1.0F + square)) * width * width;
+      const float off = differences[i] - lean;
       const float apart = off * off;
-      const float disturbed = apart > kDisturbed * learnt.difference ? 0.5F * apart : 0.0F;
-      const float columns = share3 >= 1.0F ? n3 : (share9 >= 1.0F ? n9 : n27);
+      const float half = 0.5F * apart;
+      const float disturbed = apart > disturbing ? half : 0.0F;
+      const float columns9 = share9 >= 1.0F ? n9 : n27;
+      const float columns = share3 >= 1.0F ? n3 : columns9;
+      float held = weights[i];
       row[i] = middle - skew;
-      sigma[i] = __builtin_sqrtf(3.0F * learnt.told * p + bias + disturbed);
-      aperture[i] = in.weight[i] > 0.0F ? columns : 0.0F;
+      sigma[i] = __builtin_sqrtf(3.0F * told * p + bias + disturbed);
+      aperture[i] = held > 0.0F ? columns : 0.0F;
     }
   }
 };

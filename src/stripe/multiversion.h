@@ -25,6 +25,15 @@
 #define WELD_PROFILER_KERNEL inline
 #endif
 
+/// Before a loop over arrays that do not overlap, where they are too many for the compiler to test that at run time.
+#if defined(__clang__)
+#define WELD_PROFILER_APART _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define WELD_PROFILER_APART _Pragma("GCC ivdep")
+#else
+#define WELD_PROFILER_APART
+#endif
+
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
 #define WELD_PROFILER_AVX2 __attribute__((target("avx2,fma")))
 #else

@@ -17,14 +17,16 @@ constexpr float kHalfPi = 1.57079625F;   // the largest float that is not beyond
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
 WELD_PROFILER_KERNEL float arcTangent(float x)
 {
-  const float size = x < 0.0F ? -x : x;
-  const float argument = size > 1.0F ? 1.0F / size : size;
+  const float size = __builtin_fabsf(x);
+  const float inverse = 1.0F / (size > 1.0F ? size : 1.0F);
+  const float argument = size > 1.0F ? inverse : size;
   const float square = argument * argument;
   const float angle =
-      argument *
-      (0.999866F + square * (-0.3302995F + square * (0.180141F + square * (-0.085133F + square * 0.0208351F))));
-  const float whole = size > 1.0F ? kHalfPi - angle : angle;
-  return x < 0.0F ? -whole : whole;
+      argument * (0.999866F +
+                  square * (-0.3302995F + square * (0.180141F + square * (-0.085133F + square * 0.0208351F))));
+  const float rest = kHalfPi - angle;
+  const float whole = size > 1.0F ? rest : angle;
+  return __builtin_copysignf(whole, x);
 }
 
 struct Finish
@@ -47,21 +49,34 @@ struct Finish
     float* __restrict width = in.width;
     float* __restrict sigma = in.sigma;
     std::uint8_t* __restrict flags = in.flags;
+    const float* __restrict slopes = in.slope;
+    const float* __restrict row_sigmas = in.row_sigma;
+    const float* __restrict columns = in.columns;
+    const float* __restrict lights = in.light;
+    const float* __restrict column_widths = in.column_width;
+    const float* __restrict backgrounds = in.background;
+    WELD_PROFILER_APART
     for (int i = 0; i < in.count; ++i)
     {
-      const float slope = in.slope[i];
+      float slope = slopes[i];
+      float light = lights[i];
+      float column_width = column_widths[i];
+      float held = columns[i];
       const float along = arcTangent(slope);
       const float cosine = 1.0F / __builtin_sqrtf(1.0F + slope * slope);
-      const float light = in.light[i];
-      const float across = in.column_width[i] * cosine;
-      const float room = limits.saturation - in.background[i];
-      angle[i] = along > 0.0F ? along - kHalfPi : along + kHalfPi;
+      const float across = column_width * cosine;
+      const float room = limits.saturation - backgrounds[i];
+      const float up = along - kHalfPi;
+      const float down = along + kHalfPi;
+      angle[i] = along > 0.0F ? up : down;
       intensity[i] = light < room ? light : room;
       width[i] = across;
-      sigma[i] = in.row_sigma[i] * cosine;
-      const bool bright = light >= limits.least_light && light * light * in.column_width[i] >= noise * noise;
-      const bool wide = across >= limits.least_width && across <= limits.most_width;
-      good[i] = in.columns[i] > 0.0F && bright && wide ? light : 0.0F;
+      sigma[i] = row_sigmas[i] * cosine;
+      const float bright = light >= limits.least_light ? light : 0.0F;
+      const float clear = light * light * column_width >= noise * noise ? bright : 0.0F;
+      const float wide = across >= limits.least_width ? clear : 0.0F;
+      const float narrow = across <= limits.most_width ? wide : 0.0F;
+      good[i] = held > 0.0F ? narrow : 0.0F;
     }
     for (int i = 0; i < in.count; ++i)
       flags[i] = static_cast<std::uint8_t>((in.peak[i] >= limits.saturation ? stripe_flag::kSaturated : 0) |
