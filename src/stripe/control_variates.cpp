@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanes.h"
 #include "multiversion.h"
 
 namespace weld_profiler
@@ -59,14 +60,14 @@ struct FinenessOf
 
 struct MagnitudeOf
 {
-  static constexpr int kLanes = 8;
+  static constexpr int kWide = 8;
   WELD_PROFILER_KERNEL static void run(const float* __restrict values, int begin, int end, double* mean)
   {
-    float sums[kLanes] = {};
-    float counts[kLanes] = {};
+    float sums[kWide] = {};
+    float counts[kWide] = {};
     int i = begin;
-    for (; i + kLanes <= end; i += kLanes)
-      for (int k = 0; k < kLanes; ++k)
+    for (; i + kWide <= end; i += kWide)
+      for (int k = 0; k < kWide; ++k)
       {
         const float value = std::abs(values[i + k]);
         sums[k] += value < 0.5F * kUnknown ? value : 0.0F;
@@ -74,7 +75,7 @@ struct MagnitudeOf
       }
     double sum = 0.0;
     double count = 0.0;
-    for (int k = 0; k < kLanes; ++k)
+    for (int k = 0; k < kWide; ++k)
     {
       sum += sums[k];
       count += counts[k];
@@ -86,7 +87,6 @@ struct MagnitudeOf
 struct MomentsOf
 {
   static constexpr int kSums = 12;
-  static constexpr int kLanes = 8;
   struct In
   {
     const float *e, *f, *d, *lean, *fine, *uneven, *light, *width;
@@ -95,31 +95,45 @@ struct MomentsOf
   };
   WELD_PROFILER_KERNEL static void run(In in, double* moments)
   {
-    float sums[kSums][kLanes] = {};
-    for (int i = in.begin; i + kLanes <= in.end; i += kLanes)
-      for (int k = 0; k < kLanes; ++k)
-      {
-        const bool used = std::abs(in.e[i + k]) < in.most_e && std::abs(in.d[i + k]) < in.most_d;
-        const float e = used ? in.e[i + k] : 0.0F;
-        const float f = used ? in.f[i + k] : 0.0F;
-        const float d = used ? in.d[i + k] : 0.0F;
-        sums[0][k] += used ? 1.0F : 0.0F;
-        sums[1][k] += e * e;
-        sums[2][k] += e * f;
-        sums[3][k] += e * d;
-        sums[4][k] += f * f;
-        sums[5][k] += f * d;
-        sums[6][k] += d * d;
-        sums[7][k] += used ? in.lean[i + k] : 0.0F;
-        sums[8][k] += used ? in.fine[i + k] * in.fine[i + k] : 0.0F;
-        sums[9][k] += used ? in.uneven[i + k] * in.uneven[i + k] : 0.0F;
-        sums[10][k] += used ? in.light[i + k] : 0.0F;
-        sums[11][k] += used ? in.width[i + k] * in.width[i + k] : 0.0F;
-      }
+    Lanes8 sums[kSums] = {};
+    for (int i = in.begin; i + kLanes<Lanes8> <= in.end; i += kLanes<Lanes8>)
+    {
+      Lanes8 e, f, d, lean, fine, uneven, light, width;
+      load(in.e + i, e);
+      load(in.f + i, f);
+      load(in.d + i, d);
+      load(in.lean + i, lean);
+      load(in.fine + i, fine);
+      load(in.uneven + i, uneven);
+      load(in.light + i, light);
+      load(in.width + i, width);
+      const Lanes8 one = Lanes8{} + 1.0F;
+      const Lanes8 near = e < in.most_e ? one : Lanes8{};
+      const Lanes8 nearer = e > -in.most_e ? near : Lanes8{};
+      const Lanes8 close = d < in.most_d ? nearer : Lanes8{};
+      const Lanes8 used = d > -in.most_d ? close : Lanes8{};
+      e = used > 0.0F ? e : Lanes8{};
+      f = used > 0.0F ? f : Lanes8{};
+      d = used > 0.0F ? d : Lanes8{};
+      fine = used > 0.0F ? fine : Lanes8{};
+      uneven = used > 0.0F ? uneven : Lanes8{};
+      sums[0] += used;
+      sums[1] += e * e;
+      sums[2] += e * f;
+      sums[3] += e * d;
+      sums[4] += f * f;
+      sums[5] += f * d;
+      sums[6] += d * d;
+      sums[7] += used * lean;
+      sums[8] += fine * fine;
+      sums[9] += uneven * uneven;
+      sums[10] += used * light;
+      sums[11] += used * width * width;
+    }
     for (int s = 0; s < kSums; ++s)
     {
       moments[s] = 0.0;
-      for (int k = 0; k < kLanes; ++k)
+      for (int k = 0; k < kLanes<Lanes8>; ++k)
         moments[s] += sums[s][k];
     }
   }

@@ -1,7 +1,6 @@
 #include "group_peaks.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "multiversion.h"
 
@@ -26,10 +25,13 @@ struct Block
   int rows;
   int reach;  // rows to either side
   std::uint16_t least_height;
-  std::uint16_t* padded;  // (rows + 2 reach) x 16
-  std::uint16_t* lowest;  // the same size
-  GroupPeak* peaks;       // 16 x kMost
-  int* counts;            // 16
+  GroupPeak* peaks;  // 16 x kMost
+  int* counts;       // 16
+
+  WELD_PROFILER_KERNEL const std::uint16_t* at(int row) const
+  {
+    return sums + static_cast<std::size_t>(row) * stride;
+  }
 };
 
 WELD_PROFILER_KERNEL void keep(const Block& block, int lane, const GroupPeak& peak)
@@ -53,32 +55,48 @@ struct FindPeaks
 {
   WELD_PROFILER_KERNEL static void run(Block block)
   {
-    pad(block);
-    const int length = lowestOf(block);
-    const Row least = Row{} + block.least_height;
+    // Nearly all rows end at the first test: they do not rise above the darkest of their groups.
+    Row floor;
+    lowest(block, 0, block.rows, floor);
+    floor = floor < static_cast<std::uint16_t>(65535 - block.least_height) ? floor + block.least_height : Row{} - 1;
     for (int i = 0; i < block.rows; ++i)
     {
-      const std::uint16_t* at = block.padded + (i + block.reach) * kLanes;
-      // The windows of `reach` rows on either side, each as two that overlap.
-      const std::uint16_t* low = block.lowest + (i + block.reach) * kLanes;
-      Row before, here, after, left_a, left_b, right_a, right_b;
-      load(at - kLanes, before);
-      load(at, here);
-      load(at + kLanes, after);
-      load(low - kLanes, left_a);
-      load(low + (length - 1 - block.reach) * kLanes, left_b);
-      load(low + length * kLanes, right_a);
-      load(low + block.reach * kLanes, right_b);
-      const Row left = left_a < left_b ? left_a : left_b;
-      const Row right = right_a < right_b ? right_a : right_b;
-      const Row base = left > right ? left : right;
-      const Row height = here > base ? here - base : Row{};
-      const Row tops = (here >= before) & (here > after) & (height > least) ? height : Row{};
-      if (isZero(tops))
-        continue;
-      for (int k = 0; k < kLanes; ++k)
-        if (tops[k] != 0)
-          keep(block, k, GroupPeak{ static_cast<std::uint16_t>(i), here[k], tops[k] });
+      Row here;
+      load(block.at(i), here);
+      const Row risen = here > floor ? here : Row{};
+      if (!isZero(risen))
+        test(block, i, here);
+    }
+  }
+
+  WELD_PROFILER_KERNEL static void test(const Block& block, int i, const Row& here)
+  {
+    Row before, after, left, right;
+    load(block.at(i > 0 ? i - 1 : i), before);
+    load(block.at(i + 1 < block.rows ? i + 1 : i), after);
+    const Row above = i + 1 < block.rows ? (here > after ? here : Row{}) : Row{};
+    const Row tops = here >= before ? above : Row{};
+    if (isZero(tops))
+      return;
+    lowest(block, i > block.reach ? i - block.reach : 0, i > 0 ? i : 1, left);
+    const int end = i + 1 + block.reach < block.rows ? i + 1 + block.reach : block.rows;
+    lowest(block, i + 1 < end ? i + 1 : i, end, right);
+    const Row base = left > right ? left : right;
+    const Row height = here > base ? here - base : Row{};
+    for (int k = 0; k < kLanes; ++k)
+      if (tops[k] != 0 && height[k] > block.least_height)
+        keep(block, k, GroupPeak{ static_cast<std::uint16_t>(i), here[k], height[k] });
+  }
+
+  /// Of each group, in rows [begin, end).
+  WELD_PROFILER_KERNEL static void lowest(const Block& block, int begin, int end, Row& low)
+  {
+    load(block.at(begin), low);
+    for (int i = begin + 1; i < end; ++i)
+    {
+      Row row;
+      load(block.at(i), row);
+      low = row < low ? row : low;
     }
   }
 
@@ -88,59 +106,19 @@ struct FindPeaks
     __builtin_memcpy(words, &row, sizeof(words));
     return (words[0] | words[1] | words[2] | words[3]) == 0;
   }
-
-  WELD_PROFILER_KERNEL static void pad(const Block& block)
-  {
-    std::uint16_t* to = block.padded;
-    const auto copy = [&](int row)
-    {
-      std::memcpy(to, block.sums + static_cast<std::size_t>(row) * block.stride, kLanes * sizeof(*to));
-      to += kLanes;
-    };
-    for (int i = 0; i < block.reach; ++i)
-      copy(0);
-    for (int i = 0; i < block.rows; ++i)
-      copy(i);
-    for (int i = 0; i < block.reach; ++i)
-      copy(block.rows - 1);
-  }
-
-  /// Running minimum over the largest power of two of rows that fits the reach, ending at each row. Returns its length.
-  WELD_PROFILER_KERNEL static int lowestOf(const Block& block)
-  {
-    const int total = (block.rows + 2 * block.reach) * kLanes;
-    std::memcpy(block.lowest, block.padded, static_cast<std::size_t>(total) * sizeof(std::uint16_t));
-    int length = 1;
-    for (; 2 * length <= block.reach; length *= 2)
-    {
-      const int lag = length * kLanes;
-      for (int i = total - kLanes; i >= lag; i -= kLanes)
-      {
-        Row here, before;
-        load(block.lowest + i, here);
-        load(block.lowest + i - lag, before);
-        const Row low = here < before ? here : before;
-        __builtin_memcpy(block.lowest + i, &low, sizeof(low));
-      }
-    }
-    return length;
-  }
 };
 }  // namespace
 
 void GroupPeaks::find(const GroupSums& sums, float least_height)
 {
   const int reach = std::max(1, kReach / sums.rowStep());
-  const std::size_t size = static_cast<std::size_t>(sums.rows() + 2 * reach) * kLanes;
-  block_.resize(size);
-  lowest_.resize(size);
   peaks_.resize(sums.stride() * kMost);
   counts_.assign(sums.stride(), 0);
   for (std::size_t first = 0; first < sums.stride(); first += kLanes)
   {
     const auto least = static_cast<std::uint16_t>(std::clamp(least_height, 0.0F, 65534.0F));
-    dispatch<FindPeaks>(Block{ sums.row(0) + first, sums.stride(), sums.rows(), reach, least, block_.data(),
-                               lowest_.data(), peaks_.data() + first * kMost, counts_.data() + first });
+    dispatch<FindPeaks>(Block{ sums.row(0) + first, sums.stride(), sums.rows(), reach, least,
+                               peaks_.data() + first * kMost, counts_.data() + first });
   }
   for (int group = 0; group < sums.groups(); ++group)
     if (counts_[static_cast<std::size_t>(group)] > 1)

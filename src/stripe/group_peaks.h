@@ -36,7 +36,5 @@ private:
 
   std::vector<GroupPeak> peaks_;
   std::vector<int> counts_;
-  std::vector<std::uint16_t> block_;   ///< 16 groups of the sums, edge rows repeated
-  std::vector<std::uint16_t> lowest_;  ///< running minimum of the block
 };
 }  // namespace weld_profiler
