@@ -83,7 +83,7 @@ struct Settling
                                        const float* __restrict spread, float* __restrict moved, float* __restrict wide)
   {
     constexpr float kLeast = 0.2F;
-    constexpr float kMost = 4.0F;
+    constexpr float kMost = 2.0F;
     for (int i = 0; i < count; ++i)
     {
       float held = weight[i];

@@ -23,7 +23,7 @@ typedef std::int32_t WholeLanes __attribute__((vector_size(kLanes * sizeof(std::
 constexpr float kLightPerHeight = 1.8719F;
 constexpr float kCoreGain = 0.54376F;
 constexpr float kFlankGain = 0.011007F;
-constexpr float kWindow = 3.6F;  // half widths; beyond, the weights are nothing
+constexpr float kWindow = 3.4F;  // half widths; beyond, the weights are nothing
 constexpr float kLeastRows = 2.0F;
 constexpr float kTorn = 0.9F;        // half widths that flanks and core may differ by, and
 constexpr float kTornNoise = 20.0F;  // sigmas of what pixel noise alone makes of it
@@ -75,7 +75,8 @@ struct Sums
   Lanes light{}, core{}, flanks{}, spread{}, peak{};
 };
 
-template <class Pixel>
+/// @tparam kWhole  false: light, core and spread alone, all that is wanted to settle the reference line.
+template <class Pixel, bool kWhole>
 struct MeasureColumns
 {
   WELD_PROFILER_KERNEL static void run(Strip strip)
@@ -122,10 +123,12 @@ struct MeasureColumns
       const Lanes t3 = t2 * t;
       const Lanes weighted = t3 * t3 * light;
       const Lanes moment = z * weighted;
-      const Lanes off = 1.0F - t;
       sums.light += weighted;
       sums.core += moment;
       sums.spread += z * moment;
+      if (!kWhole)
+        continue;
+      const Lanes off = 1.0F - t;
       sums.flanks += off * off * (t2 * t3) * (z * light);
       const Lanes top = square < 1.0F ? gray : Lanes{};
       sums.peak = top > sums.peak ? top : sums.peak;
@@ -157,7 +160,7 @@ struct MeasureColumns
     const Lanes centre = v + core;
     const Lanes bottom = Lanes{} + static_cast<float>(strip.image.height) - 0.5F - kInside * sigma;
     // Spatter beside the stripe pulls the flanks away from the core.
-    const Lanes torn = flanks - core;
+    const Lanes torn = kWhole ? flanks - core : Lanes{};
     const Lanes noise = strip.noise * sigma * sigma / (sums.light > 1e-6F ? sums.light : Lanes{} + 1e-6F);
     const Lanes most = kTorn * sigma + kTornNoise * noise * scale;
     const Lanes fits = (torn < most && torn > -most && sums.light > 1e-6F && core < far && core > -far &&
@@ -169,7 +172,8 @@ struct MeasureColumns
 };
 }  // namespace
 
-void ColumnMoments::measure(const ImageView& image, float noise, ColumnTrack& track)
+template <bool kWhole>
+void ColumnMoments::run(const ImageView& image, float noise, ColumnTrack& track)
 {
   std::fill(track.weight.begin(), track.weight.end(), 0.0F);
   for (const ColumnTrack::Piece& piece : track.pieces)
@@ -189,7 +193,17 @@ void ColumnMoments::measure(const ImageView& image, float noise, ColumnTrack& tr
                        &track.spread[slot],
                        &track.peak[slot],
                        &track.weight[slot] };
-    withPixel(image, [&](auto pixel) { dispatch<MeasureColumns<decltype(pixel)>>(strip); });
+    withPixel(image, [&](auto pixel) { dispatch<MeasureColumns<decltype(pixel), kWhole>>(strip); });
   }
+}
+
+void ColumnMoments::locate(const ImageView& image, float noise, ColumnTrack& track)
+{
+  run<false>(image, noise, track);
+}
+
+void ColumnMoments::measure(const ImageView& image, float noise, ColumnTrack& track)
+{
+  run<true>(image, noise, track);
 }
 }  // namespace weld_profiler

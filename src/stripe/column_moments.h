@@ -21,6 +21,11 @@ public:
   /// @param noise  1-sigma of one pixel [grey levels].
   static void measure(const ImageView& image, float noise, ColumnTrack& track);
 
-  static constexpr float kLightNoise = 1.409F;  ///< noise of `light`, for unit noise of a pixel and sqrt(sigma)
+  /// The same without flanks and peak, for a first look.
+  static void locate(const ImageView& image, float noise, ColumnTrack& track);
+
+private:
+  template <bool kWhole>
+  static void run(const ImageView& image, float noise, ColumnTrack& track);
 };
 }  // namespace weld_profiler

@@ -35,7 +35,7 @@ public:
       return;
     }
     const float noise = scratch.stripe_finder.noise();
-    ColumnMoments::measure(image, noise, track);
+    ColumnMoments::locate(image, noise, track);
     scratch.along.settle(track);
     for (int i = 0; i < kMostPasses; ++i)
     {

@@ -1,5 +1,6 @@
 #include "ridge_centres.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "multiversion.h"
@@ -109,35 +110,54 @@ void RidgeCentres::chooseSlots(const ColumnTrack& track, int cells)
     }
 }
 
-/// @return how many centres were appended; short pieces are taken back.
-std::size_t RidgeCentres::append(const ColumnTrack& /*track*/, const AlongStripe& along, Stripe& stripe,
-                                 std::vector<std::uint16_t>& aperture) const
+/// Copies what was measured in cells [first, first + count), whose slots follow one another.
+void RidgeCentres::copy(const AlongStripe& along, const Run& run, Stripe& stripe,
+                        std::vector<std::uint16_t>& aperture) const
 {
+  const auto slot = static_cast<std::ptrdiff_t>(run.slot);
+  const auto from = [&](const std::vector<float>& values, std::vector<float>& to)
+  { std::copy_n(values.begin() + slot, run.count, to.begin() + static_cast<std::ptrdiff_t>(run.to)); };
+  for (int k = 0; k < run.count; ++k)
+  {
+    const std::size_t to = run.to + static_cast<std::size_t>(k);
+    stripe.cell[to] = static_cast<std::uint16_t>(run.cell + k);
+    stripe.u[to] = static_cast<float>(run.cell + k);
+    aperture[to] = static_cast<std::uint16_t>(along.aperture()[static_cast<std::size_t>(run.slot + k)]);
+  }
+  from(along.row(), stripe.v);
+  from(angle_, stripe.normal_angle);
+  from(intensity_, stripe.intensity);
+  from(width_, stripe.width);
+  from(sigma_, stripe.sigma);
+  std::copy_n(flags_.begin() + slot, run.count, stripe.flags.begin() + static_cast<std::ptrdiff_t>(run.to));
+}
+
+/// @return how many centres were written; short pieces are not.
+std::size_t RidgeCentres::append(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const
+{
+  const int cells = static_cast<int>(slots_.size());
   std::size_t count = 0;
   std::size_t piece = 0;
-  int last = -1;
-  for (int cell = 0; cell < static_cast<int>(slots_.size()); ++cell)
+  int last = -kSmallGap - 2;
+  for (int cell = 0; cell < cells;)
   {
-    const int slot = slots_[cell];
-    if (slot < 0)
+    if (slots_[static_cast<std::size_t>(cell)] < 0)
+    {
+      ++cell;
       continue;
+    }
     if (cell - last > kSmallGap + 1)
     {
-      if (count - piece < kLeastCells)
-        count = piece;
+      count = count - piece < kLeastCells ? piece : count;
       piece = count;
     }
-    last = cell;
-    stripe.cell[count] = static_cast<std::uint16_t>(cell);
-    stripe.u[count] = static_cast<float>(cell);
-    stripe.v[count] = along.row()[slot];
-    stripe.normal_angle[count] = angle_[slot];
-    stripe.intensity[count] = intensity_[slot];
-    stripe.width[count] = width_[slot];
-    stripe.sigma[count] = sigma_[slot];
-    stripe.flags[count] = flags_[slot];
-    aperture[count] = static_cast<std::uint16_t>(along.aperture()[slot]);
-    ++count;
+    Run run{ cell, slots_[static_cast<std::size_t>(cell)], 1, count };
+    while (cell + run.count < cells && slots_[static_cast<std::size_t>(cell + run.count)] == run.slot + run.count)
+      ++run.count;
+    copy(along, run, stripe, aperture);
+    count += static_cast<std::size_t>(run.count);
+    cell += run.count;
+    last = cell - 1;
   }
   return count - piece < kLeastCells ? piece : count;
 }
@@ -181,7 +201,7 @@ void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, con
   chooseSlots(track, cells);
   stripe.resize(static_cast<std::size_t>(cells));
   aperture.resize(static_cast<std::size_t>(cells));
-  const std::size_t count = append(track, along, stripe, aperture);
+  const std::size_t count = append(along, stripe, aperture);
   stripe.resize(count);
   aperture.resize(count);
 }

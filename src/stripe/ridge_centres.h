@@ -34,8 +34,13 @@ public:
 
 private:
   void chooseSlots(const ColumnTrack& track, int cells);
-  std::size_t append(const ColumnTrack& track, const AlongStripe& along, Stripe& stripe,
-                     std::vector<std::uint16_t>& aperture) const;
+  struct Run
+  {
+    int cell, slot, count;
+    std::size_t to;
+  };
+  void copy(const AlongStripe& along, const Run& run, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
+  std::size_t append(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
 
   std::vector<float> good_, angle_, intensity_, width_, sigma_;
   std::vector<std::uint8_t> flags_;
