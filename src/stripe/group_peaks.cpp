@@ -20,7 +20,8 @@ WELD_PROFILER_KERNEL void load(const std::uint16_t* from, Row& row)
 
 struct Block
 {
-  const std::uint16_t* sums;  // first row of 16 groups
+  const std::uint16_t* sums;  // 16 groups of the first row
+  int first;                  // row
   std::size_t stride;
   int rows;
   int reach;  // rows to either side
@@ -85,7 +86,7 @@ struct FindPeaks
     const Row height = here > base ? here - base : Row{};
     for (int k = 0; k < kLanes; ++k)
       if (tops[k] != 0 && height[k] > block.least_height)
-        keep(block, k, GroupPeak{ static_cast<std::uint16_t>(i), here[k], height[k] });
+        keep(block, k, GroupPeak{ static_cast<std::uint16_t>(block.first + i), here[k], height[k] });
   }
 
   /// Of each group, in rows [begin, end).
@@ -107,9 +108,51 @@ struct FindPeaks
     return (words[0] | words[1] | words[2] | words[3]) == 0;
   }
 };
+
+/// The highest rise of 16 groups over their darkest, in every second row.
+struct HighestRise
+{
+  WELD_PROFILER_KERNEL static void run(const std::uint16_t* sums, std::size_t stride, int rows, std::uint16_t* rise)
+  {
+    Row low, high;
+    load(sums, low);
+    high = low;
+    for (int i = 2; i < rows; i += 2)
+    {
+      Row row;
+      load(sums + static_cast<std::size_t>(i) * stride, row);
+      low = row < low ? row : low;
+      high = row > high ? row : high;
+    }
+    const Row rises = high - low;
+    __builtin_memcpy(rise, &rises, sizeof(rises));
+  }
+};
+
+bool risesWithin(const GroupSums& sums, float height, const RowRange& rows)
+{
+  const int first = rows.first + rows.first % 2;
+  if (first >= rows.last)
+    return false;
+  for (std::size_t group = 0; group < sums.stride(); group += kLanes)
+  {
+    std::uint16_t rise[kLanes];
+    dispatch<HighestRise>(sums.row(first) + group, sums.stride(), rows.last - first, static_cast<std::uint16_t*>(rise));
+    for (int k = 0; k < kLanes && static_cast<int>(group) + k < sums.groups(); ++k)
+      if (static_cast<float>(rise[k]) > height)
+        return true;
+  }
+  return false;
+}
 }  // namespace
 
-void GroupPeaks::find(const GroupSums& sums, float least_height)
+bool GroupPeaks::risesOutside(const GroupSums& sums, float height, const RowRange& rows)
+{
+  return risesWithin(sums, height, RowRange{ 0, rows.first }) ||
+         risesWithin(sums, height, RowRange{ rows.last, sums.rows() });
+}
+
+void GroupPeaks::find(const GroupSums& sums, float least_height, const RowRange& rows)
 {
   const int reach = std::max(1, kReach / sums.rowStep());
   peaks_.resize(sums.stride() * kMost);
@@ -117,8 +160,8 @@ void GroupPeaks::find(const GroupSums& sums, float least_height)
   for (std::size_t first = 0; first < sums.stride(); first += kLanes)
   {
     const auto least = static_cast<std::uint16_t>(std::clamp(least_height, 0.0F, 65534.0F));
-    dispatch<FindPeaks>(Block{ sums.row(0) + first, sums.stride(), sums.rows(), reach, least,
-                               peaks_.data() + first * kMost, counts_.data() + first });
+    dispatch<FindPeaks>(Block{ sums.row(rows.first) + first, rows.first, sums.stride(), rows.last - rows.first, reach,
+                               least, peaks_.data() + first * kMost, counts_.data() + first });
   }
   for (int group = 0; group < sums.groups(); ++group)
     if (counts_[static_cast<std::size_t>(group)] > 1)

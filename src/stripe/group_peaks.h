@@ -15,6 +15,12 @@ struct GroupPeak
   std::uint16_t height = 0;  ///< above the higher of what lies 48 px to either side
 };
 
+/// Rows of GroupSums, [first, last).
+struct RowRange
+{
+  int first = 0, last = 0;
+};
+
 /// Finds in every group the tops that stand out of their own surroundings, whatever light lies under them.
 ///
 /// A top must rise above the lowest of the 48 rows on either side: a stripe of up to 12 px of half width does, a glow
@@ -26,7 +32,11 @@ public:
   static constexpr int kReach = 48;  ///< rows looked at on either side [px]
 
   /// @param least_height  that counts, in units of the sums.
-  void find(const GroupSums& sums, float least_height);
+  /// @param rows          that are searched; the others need not be summed.
+  void find(const GroupSums& sums, float least_height, const RowRange& rows);
+
+  /// Whether one of the even rows outside holds something that rises so high above the darkest of them.
+  static bool risesOutside(const GroupSums& sums, float height, const RowRange& rows);
 
   int size(int group) const { return counts_[static_cast<std::size_t>(group)]; }
   const GroupPeak& at(int group, int i) const { return peaks_[static_cast<std::size_t>(group * kMost + i)]; }

@@ -15,6 +15,14 @@ namespace
 {
 constexpr int kLanes = 16;  // groups that a step works on at once
 
+/// Where rows are skipped the processor does not guess the next one by itself.
+void fetch(const std::uint8_t* bytes, std::size_t count)
+{
+  constexpr std::size_t kLine = 64;
+  for (std::size_t i = 0; i < count; i += kLine)
+    __builtin_prefetch(bytes + i);
+}
+
 template <class Pixel>
 std::uint16_t sumOf(const Pixel* pixels, int shift)
 {
@@ -84,7 +92,7 @@ void GroupSums::sumRow(const Pixel* pixels, std::uint16_t* sums) const
   sums[groups_ - 1] = sumOf(pixels + last_column_, shift_);
 }
 
-void GroupSums::measure(const ImageView& image, int row_step)
+void GroupSums::layOut(const ImageView& image, int row_step)
 {
   groups_ = (image.width + kGroup - 1) / kGroup;
   rows_ = (image.height + row_step - 1) / row_step;
@@ -94,11 +102,20 @@ void GroupSums::measure(const ImageView& image, int row_step)
   per_level_ = static_cast<float>(kGroup) / static_cast<float>(1 << shift_);
   stride_ = static_cast<std::size_t>((groups_ + kLanes - 1) / kLanes * kLanes);
   sums_.resize(stride_ * static_cast<std::size_t>(rows_));
+}
+
+void GroupSums::sum(const ImageView& image, int first, int last, int every)
+{
+  const std::size_t row_bytes = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.bit_depth / 8);
   withPixel(image,
             [&](auto pixel)
             {
-              for (int i = 0; i < rows_; ++i)
+              for (int i = first; i < last; i += every)
+              {
+                if (i + every < last)
+                  fetch(image.data + static_cast<std::size_t>((i + every) * row_step_) * image.step, row_bytes);
                 sumRow(image.row<decltype(pixel)>(i * row_step_), sums_.data() + static_cast<std::size_t>(i) * stride_);
+              }
             });
 }
 }  // namespace weld_profiler

@@ -14,9 +14,13 @@ constexpr int kGroup = 8;  ///< neighbouring columns that are searched as one
 class GroupSums
 {
 public:
+  /// Lays out the rows of an image; sums nothing yet.
   /// @param image     at least 8 columns wide.
   /// @param row_step  1 = every row.
-  void measure(const ImageView& image, int row_step);
+  void layOut(const ImageView& image, int row_step);
+
+  /// Sums rows first, first + every, ... below last, counted as row() counts them.
+  void sum(const ImageView& image, int first, int last, int every = 1);
 
   int groups() const { return groups_; }
   int columns() const { return last_column_ + kGroup; }

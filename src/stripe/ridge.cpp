@@ -17,7 +17,7 @@ class Ridge : public StripeExtractor
 public:
   explicit Ridge(const StripeParams& params) : params_(params) {}
 
-  void extract(const ImageView& image, const StripeHint& /*hint*/, Workspace& workspace, Stripe& stripe) const final
+  void extract(const ImageView& image, const StripeHint& hint, Workspace& workspace, Stripe& stripe) const final
   {
     Workspace::Scratch& scratch = workspace.scratch();
     workspace.initial.clear();
@@ -26,7 +26,7 @@ public:
     ColumnTrack& track = scratch.track;
     track.pieces.clear();
     if (image.width >= kGroup)
-      scratch.stripe_finder.find(image, levels, params_.min_peak_counts, track);
+      scratch.stripe_finder.find(image, static_cast<float>(params_.min_peak_counts * levels.count), hint.last, track);
     if (track.pieces.empty())
     {
       stripe.clear();

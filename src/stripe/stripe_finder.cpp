@@ -18,19 +18,24 @@ constexpr float kQuantisation = 0.29F;          // [grey levels] 1 / sqrt(12)
 constexpr float kHeightOverNoise = 6.0F;
 constexpr float kHeightOverPeak = 0.35F;  // an oblique stripe fills a part of a group's row
 constexpr float kLeastShare = 0.25F;      // of all peaks of its groups; less is a pattern, no stripe
+constexpr int kMove = 24;             // rows that a stripe may move from frame to frame and still be followed
+constexpr double kMostOfFrame = 0.6;  // share of the rows; a higher band is not worth it
+constexpr float kRiseOutside = 1.8F;  // of what a peak needs, over the darkest: ten sigmas
+constexpr double kWhole = 0.95;       // of the last stripe's cells that must be found
 }  // namespace
 
-/// From differences of sums that lie two samples apart in a few rows: most of a frame is background.
+/// From differences of sums that lie two samples apart in a few even rows, which are summed always: most of a frame is
+/// background.
 void StripeFinder::measureNoise()
 {
   std::array<int, kNoiseBins> histogram{};
   int total = 0;
-  const int stride = std::max(1, sums_.rows() / kNoiseRows);
+  const int stride = 2 * std::max(1, sums_.rows() / (2 * kNoiseRows));
   const int shift = 2;
-  for (int i = 0; i + 1 < sums_.rows(); i += stride)
+  for (int i = 0; i + 2 < sums_.rows(); i += stride)
   {
     const std::uint16_t* a = sums_.row(i);
-    const std::uint16_t* b = sums_.row(i + 1);
+    const std::uint16_t* b = sums_.row(i + 2);
     for (int k = 0; k < sums_.groups(); k += shift)
     {
       ++histogram[static_cast<std::size_t>(std::min(kNoiseBins - 1, std::abs(a[k] - b[k])))];
@@ -49,14 +54,54 @@ void StripeFinder::measureNoise()
   noise_ = std::max(noise_, kQuantisation);
 }
 
-void StripeFinder::look(const ImageView& image, int row_step, float least_peak)
+float StripeFinder::leastHeight(float least_peak) const
 {
-  sums_.measure(image, row_step);
-  measureNoise();
   const float noise = noise_ / std::sqrt(static_cast<float>(kGroup));
-  peaks_.find(sums_, std::max(kHeightOverPeak * least_peak, kHeightOverNoise * noise) * sums_.perLevel());
+  return std::max(kHeightOverPeak * least_peak, kHeightOverNoise * noise) * sums_.perLevel();
+}
+
+void StripeFinder::choose(float least_peak, const RowRange& rows)
+{
+  peaks_.find(sums_, leastHeight(least_peak), rows);
   path_.choose(sums_, peaks_, nodes_);
   dropLoners(nodes_);
+}
+
+void StripeFinder::look(const ImageView& image, int row_step, float least_peak)
+{
+  sums_.layOut(image, row_step);
+  sums_.sum(image, 0, sums_.rows());
+  measureNoise();
+  choose(least_peak, RowRange{ 0, sums_.rows() });
+}
+
+/// @return whether everything else may be left out.
+bool StripeFinder::follow(const ImageView& image, int row_step, float least_peak, const Stripe& last)
+{
+  const auto [lowest, highest] = std::minmax_element(last.v.begin(), last.v.end());
+  constexpr int kRoom = GroupPeaks::kReach + kMove;
+  sums_.layOut(image, row_step);
+  RowRange band;
+  band.first = std::max(0, (static_cast<int>(*lowest) - kRoom) / row_step);
+  band.last = std::min(sums_.rows(), (static_cast<int>(*highest) + kRoom) / row_step + 1);
+  if (band.last - band.first > kMostOfFrame * sums_.rows() || band.first >= band.last)
+    return false;
+  sums_.sum(image, band.first, band.last);
+  sums_.sum(image, 0, band.first, 2);
+  sums_.sum(image, band.last + band.last % 2, sums_.rows(), 2);
+  measureNoise();
+  if (GroupPeaks::risesOutside(sums_, kRiseOutside * leastHeight(least_peak), band))
+    return false;
+  choose(least_peak, band);
+  if (static_cast<double>(kGroup * nodes_.size()) < kWhole * static_cast<double>(last.v.size()))
+    return false;
+  const int reach = GroupPeaks::kReach / row_step;
+  return std::all_of(nodes_.begin(), nodes_.end(),
+                     [&](const PathNode& node)
+                     {
+                       return (band.first == 0 || node.peak.row - band.first > reach) &&
+                              (band.last == sums_.rows() || band.last - node.peak.row > reach);
+                     });
 }
 
 /// The line's share of what is bright in its groups: a stripe stands out, a row of a checkerboard does not.
@@ -73,13 +118,17 @@ bool StripeFinder::standsOut() const
   return own >= kLeastShare * all;
 }
 
-void StripeFinder::find(const ImageView& image, const Levels& levels, double min_peak_counts, ColumnTrack& track)
+void StripeFinder::find(const ImageView& image, float least_peak, const Stripe* last, ColumnTrack& track)
 {
-  const auto least = static_cast<float>(min_peak_counts * levels.count);
   const int step = std::clamp(image.height / kRowsKept, 1, kMostRowStep);
-  look(image, step, least);
-  if (step > 1 && static_cast<double>(nodes_.size()) < kEnoughGroups * sums_.groups())
-    look(image, 1, least);
+  const auto sparse = [&] { return static_cast<double>(nodes_.size()) < kEnoughGroups * sums_.groups(); };
+  const bool known = last != nullptr && !last->v.empty();
+  if (!known || !follow(image, step, least_peak, *last) || sparse())
+  {
+    look(image, step, least_peak);
+    if (step > 1 && sparse())
+      look(image, 1, least_peak);
+  }
   if (!standsOut())
     nodes_.clear();
   laid_.lay(sums_, nodes_, noise_, track);

@@ -5,6 +5,7 @@
 #include "group_path.h"
 #include "path_track.h"
 #include "pixels.h"
+#include "weld_profiler/core/stripe.h"
 
 namespace weld_profiler
 {
@@ -14,13 +15,19 @@ namespace weld_profiler
 class StripeFinder
 {
 public:
+  /// @param last   the stripe of the frame before, or null: only the rows around it are searched, and every second one of
+  ///               the others looked at. Where the stripe is not found there whole, or something rises elsewhere, or the
+  ///               stripe comes near the end of those rows, everything is searched. The result is the same.
   /// @param track  the stripe to a pixel or so; no pieces = no stripe.
-  void find(const ImageView& image, const Levels& levels, double min_peak_counts, ColumnTrack& track);
+  void find(const ImageView& image, float least_peak, const Stripe* last, ColumnTrack& track);
 
   float noise() const { return noise_; }  ///< 1-sigma of one background pixel [grey levels]
 
 private:
   void look(const ImageView& image, int row_step, float least_peak);
+  bool follow(const ImageView& image, int row_step, float least_peak, const Stripe& last);
+  void choose(float least_peak, const RowRange& rows);
+  float leastHeight(float least_peak) const;
   void measureNoise();
   bool standsOut() const;
 

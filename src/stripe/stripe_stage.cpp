@@ -109,14 +109,17 @@ void StripeStage::extractAlong(Direction direction, const ImageView& view, int p
                                Stripe& stripe) const
 {
   const StripeExtractor& extractor = pitch == 1 ? *extractor_ : *every_second_pixel_;
+  ImageView turned = view;
+  if (direction == Direction::AlongV)
+    transpose(view, workspace.scratch().transposed, turned);
+  StripeHint hint;
+  if (workspace.direction == direction || params_.direction != "auto")
+    hint.last = &workspace.last;
+  extractor.extract(turned, hint, workspace, stripe);
+  workspace.last.cell = stripe.cell;
+  workspace.last.v = stripe.v;
   if (direction == Direction::AlongU)
-  {
-    extractor.extract(view, StripeHint{}, workspace, stripe);
     return;
-  }
-  ImageView turned;
-  transpose(view, workspace.scratch().transposed, turned);
-  extractor.extract(turned, StripeHint{}, workspace, stripe);
   transpose(stripe);
   for (InitialPoint& point : workspace.initial)
     point = InitialPoint{ point.block_v, point.block_u, point.v, point.u };

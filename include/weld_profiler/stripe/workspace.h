@@ -29,7 +29,7 @@ public:
   void reset();
 
   std::optional<Direction> direction;  ///< found by `auto` beyond doubt, kept until reset()
-  Stripe last;                         ///< last frame's stripe
+  Stripe last;                         ///< last frame's stripe along the rows searched: cell and v alone are kept
   bool keep_trace = false;             ///< fill `initial` (the overlay wants it)
   std::vector<InitialPoint>
       initial;  ///< one a centre of the last stripe, in full image coordinates; empty unless keep_trace
