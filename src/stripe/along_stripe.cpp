@@ -155,6 +155,28 @@ void AlongStripe::choose(const ColumnTrack& track, int max_aperture)
                                sigma_.data(),
                                aperture_.data() };
   dispatch<ChooseAperture>(in);
+  tellEnds(track);
+}
+
+/// Where the light ends within a stripe's width, the last columns hold a part of its profile alone.
+void AlongStripe::tellEnds(const ColumnTrack& track)
+{
+  constexpr float kHeld = 8.5F;
+  constexpr float kShift = 0.8F;  // half widths, of a column that holds no light, against its neighbours
+  constexpr int kSide = 4;
+  for (int i = kGuard; i < slots_ - kGuard; ++i)
+  {
+    if (arrays_[Sum9][i] > kHeld || !(aperture_[i] > 0.0F))
+      continue;
+    float light = 0.0F;
+    for (int k = i - kSide; k <= i + kSide; ++k)
+      light += track.weight[k] > 0.0F ? track.light[k] : 0.0F;
+    light /= arrays_[Sum9][i];
+    float lost = 0.0F;
+    for (int k = i - 1; k <= i + 1; ++k)
+      lost += track.weight[k] > 0.0F ? std::max(0.0F, 1.0F - track.light[k] / light) : 0.0F;
+    sigma_[i] = std::hypot(sigma_[i], kShift * track.sigma[i] * lost / std::max(1.0F, arrays_[Sum3][i]));
+  }
 }
 
 bool AlongStripe::moveReference(ColumnTrack& track) const

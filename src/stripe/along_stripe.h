@@ -78,6 +78,7 @@ private:
   void meanSlopes();
   void meanAlong();
   void compareMeans();
+  void tellEnds(const ColumnTrack& track);
   void choose(const ColumnTrack& track, int max_aperture);
 
   int slots_ = 0;

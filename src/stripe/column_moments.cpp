@@ -27,6 +27,7 @@ constexpr int kAhead = 96;  // columns: the window is high and narrow, the proce
 constexpr float kWindow = 3.4F;  // half widths; beyond, the weights are nothing
 constexpr float kLeastRows = 2.0F;
 constexpr float kTorn = 0.9F;        // half widths that flanks and core may differ by, and
+constexpr float kSampled = 1.2F;     // [px] narrower stripes have too few pixels for flanks
 constexpr float kTornNoise = 20.0F;  // sigmas of what pixel noise alone makes of it
 constexpr float kInside = 2.5F;      // half widths of the stripe that must lie inside the image on either side
 constexpr float kFarthest = 1.5F;    // half widths that a centre may lie off the reference line
@@ -164,7 +165,8 @@ struct MeasureColumns
     // Spatter beside the stripe pulls the flanks away from the core.
     const Lanes torn = kWhole ? flanks - core : Lanes{};
     const Lanes noise = strip.noise * sigma * sigma / (sums.light > 1e-6F ? sums.light : Lanes{} + 1e-6F);
-    const Lanes most = kTorn * sigma + kTornNoise * noise * scale;
+    const Lanes wide = sigma > kSampled ? sigma : Lanes{} + kSampled;
+    const Lanes most = kTorn * wide + kTornNoise * noise * scale;
     const Lanes fits = (torn < most && torn > -most && sums.light > 1e-6F && core < far && core > -far &&
                         square > 0.0F && centre > kInside * sigma - 0.5F && centre < bottom)
                            ? one

@@ -11,6 +11,8 @@ namespace
 {
 constexpr float kLightOverNoise = 4.0F;  // half the chance of one false column in 30 000
 constexpr float kNearlyAsGood = 0.5F;    // light, of the better, from which a second piece in a cell is worth a flag
+constexpr float kSteepest = 2.5F;        // rows a column, between neighbouring centres: 68 deg
+constexpr float kUprightGap = 8.0F;      // columns that an upright piece may leave without a centre
 constexpr int kLeastCells = 5;           // of one piece
 constexpr int kSmallGap = 3;             // cells that may be missing inside a piece
 constexpr float kHalfPi = 1.57079625F;   // the largest float that is not beyond
@@ -175,6 +177,21 @@ void RidgeCentres::trace(const ColumnTrack& track, const Stripe& stripe, std::ve
   }
 }
 
+/// Where the line goes on nearly upright, several centres belong in a column: those next to it are not to be trusted.
+void RidgeCentres::flagSteepLinks(Stripe& stripe)
+{
+  constexpr std::size_t kBeside = 3;
+  const std::size_t count = stripe.size();
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const float columns = stripe.u[i] - stripe.u[i - 1];
+    if (!(std::abs(stripe.v[i] - stripe.v[i - 1]) > kSteepest * columns) || columns > kUprightGap)
+      continue;
+    for (std::size_t k = i > kBeside ? i - kBeside : 0; k < std::min(count, i + kBeside); ++k)
+      stripe.flags[k] |= stripe_flag::kAmbiguous;
+  }
+}
+
 void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, const Limits& limits, int cells,
                          Stripe& stripe, std::vector<std::uint16_t>& aperture)
 {
@@ -204,5 +221,6 @@ void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, con
   const std::size_t count = append(along, stripe, aperture);
   stripe.resize(count);
   aperture.resize(count);
+  flagSteepLinks(stripe);
 }
 }  // namespace weld_profiler

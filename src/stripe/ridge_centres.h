@@ -34,6 +34,7 @@ public:
 
 private:
   void chooseSlots(const ColumnTrack& track, int cells);
+  static void flagSteepLinks(Stripe& stripe);
   struct Run
   {
     int cell, slot, count;
