@@ -181,9 +181,9 @@ void AlongStripe::tellEnds(const ColumnTrack& track)
 
 bool AlongStripe::moveReference(ColumnTrack& track) const
 {
-  bool far = false;
-  for (int i = kGuard; i < slots_ - kGuard; ++i)
-    far |= aperture_[i] > 0.0F && std::abs(row_[i] - track.v[i]) > kLinear * track.sigma[i];
+  float farthest = 0.0F;
+  dispatch<FarthestOff>(slots_, aperture_.data(), row_.data(), track.v.data(), track.sigma.data(), &farthest);
+  const bool far = farthest > kLinear;
   if (!far)
     return false;
   for (int i = kGuard; i < slots_ - kGuard; ++i)

@@ -5,6 +5,7 @@
 
 #include "column_track.h"
 #include "control_variates.h"
+#include "lanes.h"
 #include "multiversion.h"
 
 namespace weld_profiler
@@ -208,6 +209,32 @@ struct Correct
         offset[i] += flanks * (difference[i] - lean) - there * feigned[i];
       }
     }
+  }
+};
+
+/// Farthest distance of a centre from the reference line, in half widths.
+struct FarthestOff
+{
+  WELD_PROFILER_KERNEL static void run(int count, const float* held, const float* row, const float* v,
+                                       const float* sigma, float* farthest)
+  {
+    constexpr int kGuard = ColumnTrack::kGuard;
+    Lanes8 most{};
+    for (int i = kGuard; i < count - kGuard; i += kLanes<Lanes8>)
+    {
+      Lanes8 columns, to, from, width;
+      load(held + i, columns);
+      load(row + i, to);
+      load(v + i, from);
+      load(sigma + i, width);
+      const Lanes8 off = (to - from) / width;
+      const Lanes8 size = off < 0.0F ? -off : off;
+      const Lanes8 counted = columns > 0.0F ? size : Lanes8{};
+      most = counted > most ? counted : most;
+    }
+    *farthest = 0.0F;
+    for (int k = 0; k < kLanes<Lanes8>; ++k)
+      *farthest = most[k] > *farthest ? most[k] : *farthest;
   }
 };
 }  // namespace weld_profiler

@@ -60,22 +60,22 @@ struct FinenessOf
 
 struct MagnitudeOf
 {
-  static constexpr int kWide = 8;
-  WELD_PROFILER_KERNEL static void run(const float* __restrict values, int begin, int end, double* mean)
+  WELD_PROFILER_KERNEL static void run(const float* values, int begin, int end, double* mean)
   {
-    float sums[kWide] = {};
-    float counts[kWide] = {};
-    int i = begin;
-    for (; i + kWide <= end; i += kWide)
-      for (int k = 0; k < kWide; ++k)
-      {
-        const float value = std::abs(values[i + k]);
-        sums[k] += value < 0.5F * kUnknown ? value : 0.0F;
-        counts[k] += value < 0.5F * kUnknown ? 1.0F : 0.0F;
-      }
+    Lanes8 sums{};
+    Lanes8 counts{};
+    const Lanes8 one = Lanes8{} + 1.0F;
+    for (int i = begin; i + kLanes<Lanes8> <= end; i += kLanes<Lanes8>)
+    {
+      Lanes8 value;
+      load(values + i, value);
+      const Lanes8 size = value < 0.0F ? -value : value;
+      sums += size < 0.5F * kUnknown ? size : Lanes8{};
+      counts += size < 0.5F * kUnknown ? one : Lanes8{};
+    }
     double sum = 0.0;
     double count = 0.0;
-    for (int k = 0; k < kWide; ++k)
+    for (int k = 0; k < kLanes<Lanes8>; ++k)
     {
       sum += sums[k];
       count += counts[k];

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "multiversion.h"
+
 namespace weld_profiler
 {
 namespace
@@ -162,6 +164,41 @@ void PathTrack::evenOut(std::size_t begin, std::size_t end, float Node::*field)
     nodes_[i].*field = evened_[i];
 }
 
+namespace
+{
+/// Values that change evenly along some columns.
+struct Line
+{
+  struct Value
+  {
+    float start, change;
+  };
+  int slot, count;
+  float first;  ///< columns from where the values start to the first
+  Value v, sigma, background, gradient;
+  float ambiguous;
+};
+
+void draw(const Line& line, ColumnTrack& track)
+{
+  float* v = track.v.data() + line.slot;
+  float* sigma = track.sigma.data() + line.slot;
+  float* background = track.background.data() + line.slot;
+  float* gradient = track.gradient.data() + line.slot;
+  float* ambiguous = track.ambiguous.data() + line.slot;
+  WELD_PROFILER_APART
+  for (int k = 0; k < line.count; ++k)
+  {
+    const float along = line.first + static_cast<float>(k);
+    v[k] = line.v.start + along * line.v.change;
+    sigma[k] = line.sigma.start + along * line.sigma.change;
+    background[k] = line.background.start + along * line.background.change;
+    gradient[k] = line.gradient.start + along * line.gradient.change;
+    ambiguous[k] = line.ambiguous;
+  }
+}
+}  // namespace
+
 void PathTrack::layPiece(std::size_t begin, std::size_t end, int columns, ColumnTrack& track) const
 {
   constexpr float kReach = 0.5F * kGroup + kOverhang;
@@ -171,27 +208,31 @@ void PathTrack::layPiece(std::size_t begin, std::size_t end, int columns, Column
   piece.count = stop - piece.cell;
   piece.slot = (track.pieces.empty() ? 0 : track.pieces.back().slot + track.pieces.back().count) + ColumnTrack::kGuard;
   track.pieces.push_back(piece);
-  int cell = piece.cell;
-  std::size_t slot = static_cast<std::size_t>(piece.slot);
-  for (std::size_t i = begin; cell < stop; i += i + 2 < end ? 1 : 0)
+  // Straight from node to node; beyond the ends the line goes on, and all else stays what it is there.
+  const auto segment = [&](int from, int until, const Node& a, const Node& b)
   {
-    const Node& a = nodes_[i];
-    const Node& b = nodes_[i + 1 < end ? i + 1 : i];
-    const bool last = i + 2 >= end;
-    const int until = last ? stop : static_cast<int>(std::ceil(b.u));
     const float scale = b.u > a.u ? 1.0F / (b.u - a.u) : 0.0F;
-    const float slope = std::clamp((b.v - a.v) * scale, -kSteepest, kSteepest);
-    for (; cell < until; ++cell, ++slot)
-    {
-      const float along = static_cast<float>(cell) - a.u;
-      const float share = std::clamp(along * scale, 0.0F, 1.0F);
-      track.v[slot] = a.v + (share > 0.0F && share < 1.0F ? (b.v - a.v) * share : slope * along);
-      track.sigma[slot] = a.sigma + share * (b.sigma - a.sigma);
-      track.background[slot] = a.background + share * (b.background - a.background);
-      track.gradient[slot] = a.gradient + share * (b.gradient - a.gradient);
-      track.ambiguous[slot] = std::max(a.ambiguous, b.ambiguous);
-    }
-  }
+    const bool between = static_cast<float>(from) >= a.u && static_cast<float>(until - 1) <= b.u;
+    const float share = between ? scale : 0.0F;
+    const Node& near = static_cast<float>(from) >= b.u ? b : a;
+    Line line{};
+    line.slot = piece.slot + from - piece.cell;
+    line.count = until - from;
+    line.first = static_cast<float>(from) - near.u;
+    line.v = { near.v, between ? (b.v - a.v) * scale : std::clamp((b.v - a.v) * scale, -kSteepest, kSteepest) };
+    line.sigma = { near.sigma, share * (b.sigma - a.sigma) };
+    line.background = { near.background, share * (b.background - a.background) };
+    line.gradient = { near.gradient, share * (b.gradient - a.gradient) };
+    line.ambiguous = std::max(a.ambiguous, b.ambiguous);
+    draw(line, track);
+  };
+  const auto columnFrom = [&](float u) { return std::clamp(static_cast<int>(std::ceil(u)), piece.cell, stop); };
+  const std::size_t second = std::min(begin + 1, end - 1);
+  const std::size_t before_last = std::max(begin + 1, end - 1) - 1;
+  segment(piece.cell, columnFrom(nodes_[begin].u), nodes_[begin], nodes_[second]);
+  for (std::size_t i = begin; i + 1 < end; ++i)
+    segment(columnFrom(nodes_[i].u), columnFrom(nodes_[i + 1].u), nodes_[i], nodes_[i + 1]);
+  segment(columnFrom(nodes_[end - 1].u), stop, nodes_[before_last], nodes_[end - 1]);
 }
 
 void ColumnTrack::layOn(const Piece& piece)
