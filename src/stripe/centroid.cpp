@@ -1,205 +1,220 @@
 #include "centroid.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "lanes.h"
 
 namespace weld_profiler
 {
 namespace
 {
-constexpr double kWindowSigmas = 3.0;  ///< half a window; beyond, a Gaussian's square is noise only
-constexpr double kLeastSigmas = 1.2;   ///< of the stripe that must lie inside the image on either side
-constexpr double kFlankSigmas = 4.0;   ///< where the background begins
-constexpr int kFlankPixels = 6;
-constexpr std::size_t kEvenCells = 8;  ///< neighbours either side that width and background are averaged over
-constexpr double kAstraySigmas = 2.0;  ///< from the seed; a centroid that went farther follows something else
+constexpr float kWindowSigmas = 3.0F;  // half a window; beyond, a Gaussian's square is noise only
+constexpr float kLeastSigmas = 1.2F;   // of the stripe that must lie inside the image on either side
+constexpr float kNarrowest = 0.6F;     // [px]
+constexpr float kAstraySigmas = 2.0F;  // from the track's line; a centroid that went farther follows something else
 constexpr int kIterations = 4;
-constexpr double kSettled = 2e-4;  ///< [px]
+constexpr float kSettled = 2e-4F;  // [px]
 const double kSqrtPi = std::sqrt(std::acos(-1.0));
 
-struct Sums
+struct Strip
 {
-  double weight = 0.0;  ///< sum of the weights
-  double moment = 0.0;  ///< about the window's middle
-  double second = 0.0;
-  double energy = 0.0;  ///< sum of squared gray
-  double noise = 0.0;   ///< sum of the squared derivatives of the moment by each pixel's gray
-  bool saturated = false;
+  ImageView image;
+  LeastLight least;
+  int cell;   // first column
+  int count;  // columns
+  const float *v, *sigma, *background, *gradient, *track_light, *weight;
+  float *light, *shift, *width, *energy, *read_sigma, *brightest;
 };
 
-template <class Pixel>
-Sums sumWindow(const ImageView& image, const Centre& centre, double half, bool squared, double saturation)
+/// Sums over the window of some neighbouring columns.
+template <class Lanes>
+struct Sums
 {
-  Sums sums;
-  const int first = std::max(0, static_cast<int>(std::ceil(centre.v - half - 0.5)));
-  const int last = std::min(image.height - 1, static_cast<int>(std::floor(centre.v + half + 0.5)));
-  const Pixel* pixel = image.row<Pixel>(first) + centre.cell;
-  const std::size_t stride = image.step / sizeof(Pixel);
-  for (int v = first; v <= last; ++v, pixel += stride)
-  {
-    const double y = v - centre.v;
-    const double inside = std::min(1.0, half + 0.5 - std::abs(y));
-    const double gray = *pixel - centre.background - centre.gradient * y;
-    const double energy = inside * gray * gray;
-    const double weight = squared ? energy : inside * gray;
-    const double change = squared ? 2.0 * inside * gray * y : inside * y;
-    sums.weight += weight;
-    sums.moment += weight * y;
-    sums.second += weight * y * y;
-    sums.energy += energy;
-    sums.noise += change * change;
-    sums.saturated = sums.saturated || *pixel >= saturation;
-  }
-  return sums;
+  Lanes weight, moment, second, energy;
+  Lanes noise;  // squared derivatives of the moment by each pixel's gray
+  Lanes brightest;
+};
+
+/// A stretch of the track: line, half width and background of some neighbouring columns, and where the window is.
+template <class Lanes>
+struct Stretch
+{
+  Lanes v, sigma, background, gradient, shift, half;
+};
+
+template <class Lanes>
+WELD_PROFILER_KERNEL float leastOf(const Lanes& lanes)
+{
+  float result = lanes[0];
+  for (int k = 1; k < kLanes<Lanes>; ++k)
+    result = std::min(result, lanes[k]);
+  return result;
 }
 
-/// Mean of one flank without its darkest and its brightest pixel.
-template <class Pixel>
-bool flankLevel(const ImageView& image, int u, int first, double& level)
+template <class Pixel, bool kSquared>
+struct MeasureCentroids
 {
-  if (first < 0 || first + kFlankPixels > image.height)
-    return false;
-  double sum = 0.0;
-  double least = image.row<Pixel>(first)[u];
-  double most = least;
-  for (int i = 0; i < kFlankPixels; ++i)
+  template <class Lanes>
+  WELD_PROFILER_KERNEL static void run(Strip strip)
   {
-    const double value = image.row<Pixel>(first + i)[u];
-    sum += value;
-    least = std::min(least, value);
-    most = std::max(most, value);
+    for (int i = 0; i < strip.count; i += kLanes<Lanes>)
+      measure<Lanes>(strip, std::min(i, strip.count - kLanes<Lanes>));
   }
-  level = (sum - least - most) / (kFlankPixels - 2);
-  return true;
-}
+
+  template <class Lanes>
+  WELD_PROFILER_KERNEL static void measure(const Strip& strip, int first)
+  {
+    Stretch<Lanes> at;
+    load(strip.v + first, at.v);
+    load(strip.sigma + first, at.sigma);
+    load(strip.background + first, at.background);
+    load(strip.gradient + first, at.gradient);
+    at.sigma = at.sigma > kNarrowest ? at.sigma : Lanes{} + kNarrowest;
+    at.shift = Lanes{};
+    const Lanes farthest = kAstraySigmas * at.sigma;
+    const float bottom = static_cast<float>(strip.image.height - 1);
+    Sums<Lanes> sums;
+    for (int i = 0; i < kIterations; ++i)
+    {
+      // The window stays symmetric where the image ends, or the centre would be drawn inward.
+      const Lanes above = at.v + at.shift;
+      const Lanes below = bottom - above;
+      const Lanes room = above < below ? above : below;
+      const Lanes whole = kWindowSigmas * at.sigma;
+      at.half = whole < room ? whole : room;
+      sum(strip, first, at, sums);
+      const Lanes step = sums.weight > 0.0F ? sums.moment / sums.weight : Lanes{};
+      const Lanes there = at.shift + step;
+      // One that left the stripe goes no farther: a pixel beyond the limit that write() asks for.
+      const Lanes low = there > -1.0F - farthest ? there : -1.0F - farthest;
+      at.shift = low < 1.0F + farthest ? low : 1.0F + farthest;
+      if (leastOf(step) > -kSettled && leastOf(Lanes(-step)) > -kSettled)
+        break;
+    }
+    finish(strip, first, at, sums);
+  }
+
+  template <class Lanes>
+  WELD_PROFILER_KERNEL static void sum(const Strip& strip, int first, const Stretch<Lanes>& at, Sums<Lanes>& sums)
+  {
+    const Lanes reach = at.half + 0.5F;
+    const Lanes middle = at.v + at.shift;
+    const int begin = std::max(0, static_cast<int>(leastOf(Lanes(middle - reach))));
+    const int end = std::min(strip.image.height - 1, static_cast<int>(-leastOf(Lanes(-middle - reach))) + 1);
+    sums = Sums<Lanes>{};
+    for (int row = begin; row <= end; ++row)
+    {
+      const Lanes off = static_cast<float>(row) - at.v;
+      const Lanes y = off - at.shift;
+      const Lanes left = reach - (y > 0.0F ? y : -y);
+      const Lanes some = left > 0.0F ? left : Lanes{};
+      const Lanes inside = some < 1.0F ? some : Lanes{} + 1.0F;
+      Lanes pixel;
+      loadPixels(strip.image.row<Pixel>(row) + strip.cell + first, pixel);
+      const Lanes gray = pixel - at.background - at.gradient * off;
+      const Lanes light = inside * gray;
+      const Lanes energy = light * gray;
+      const Lanes weight = kSquared ? energy : light;
+      const Lanes moment = weight * y;
+      const Lanes change = (kSquared ? 2.0F * light : inside) * y;
+      const Lanes seen = left > 0.0F ? pixel : Lanes{};
+      sums.weight += weight;
+      sums.moment += moment;
+      sums.second += moment * y;
+      sums.energy += energy;
+      sums.noise += change * change;
+      sums.brightest = seen > sums.brightest ? seen : sums.brightest;
+    }
+  }
+
+  template <class Lanes>
+  WELD_PROFILER_KERNEL static void finish(const Strip& strip, int first, const Stretch<Lanes>& at,
+                                          const Sums<Lanes>& sums)
+  {
+    const Lanes far = kAstraySigmas * at.sigma;
+    // A squared Gaussian is narrower by sqrt(2).
+    const Lanes variance = (kSquared ? 2.0F : 1.0F) * sums.second / sums.weight;
+    Lanes light, weight;
+    load(strip.track_light + first, light);
+    load(strip.weight + first, weight);
+    const Lanes kept = (weight > 0.0F && sums.weight > 0.0F && variance > 0.0F && at.shift <= far && at.shift >= -far &&
+                        at.half >= kLeastSigmas * at.sigma)
+                           ? light
+                           : Lanes{};
+    store(at.shift, strip.shift + first);
+    store(sums.energy, strip.energy + first);
+    store(sums.brightest, strip.brightest + first);
+    for (int k = 0; k < kLanes<Lanes>; ++k)
+    {
+      const bool bright = strip.least.isReached(kept[k], strip.sigma[first + k]);
+      strip.light[first + k] = bright ? kept[k] : 0.0F;
+      strip.width[first + k] = __builtin_sqrtf(variance[k]);
+      strip.read_sigma[first + k] = strip.least.noise * __builtin_sqrtf(sums.noise[k]) / sums.weight[k];
+    }
+  }
+};
 }  // namespace
 
-void ColumnCentroid::measure(const ImageView& image, const Levels& levels, const FrameStatistics& statistics,
-                             CentroidWeight weight, const std::vector<Seed>& seeds, std::vector<Centre>& centres)
+void ColumnCentroid::measure(const Task& task, const ColumnTrack& track)
 {
-  centres.resize(seeds.size());
-  for (std::size_t i = 0; i < seeds.size(); ++i)
+  for (std::vector<float>& array : arrays_)
+    array.resize(track.slots());
+  for (const ColumnTrack::Piece& piece : track.pieces)
   {
+    const auto slot = static_cast<std::size_t>(piece.slot);
+    const Strip strip{ task.image,
+                       task.least,
+                       piece.cell,
+                       piece.count,
+                       &track.v[slot],
+                       &track.sigma[slot],
+                       &track.background[slot],
+                       &track.gradient[slot],
+                       &track.light[slot],
+                       &track.weight[slot],
+                       &arrays_[Light][slot],
+                       &arrays_[Shift][slot],
+                       &arrays_[Sigma][slot],
+                       &arrays_[Energy][slot],
+                       &arrays_[ReadSigma][slot],
+                       &arrays_[Brightest][slot] };
+    withPixel(task.image,
+              [&](auto pixel)
+              {
+                using Pixel = decltype(pixel);
+                if (task.weight == CentroidWeight::SquaredGray)
+                  dispatchLanes<MeasureCentroids<Pixel, true>>(strip);
+                else
+                  dispatchLanes<MeasureCentroids<Pixel, false>>(strip);
+              });
+  }
+}
+
+void ColumnCentroid::write(const ColumnTrack& track, const std::vector<SlotChoice::Slot>& slots, float saturation,
+                           std::vector<Centre>& centres) const
+{
+  centres.resize(slots.size());
+  for (std::size_t i = 0; i < slots.size(); ++i)
+  {
+    const auto slot = static_cast<std::size_t>(slots[i].slot);
+    const double shift = arrays_[Shift][slot];
     Centre centre;
-    centre.cell = seeds[i].u;
-    centre.u = seeds[i].u;
-    centre.v = seeds[i].v;
-    centre.initial_v = seeds[i].v;
-    centre.sigma_column = std::max(0.6, static_cast<double>(seeds[i].sigma));
-    centre.starts_piece = seeds[i].starts_piece;
-    centre.ambiguous = seeds[i].ambiguous;
+    centre.cell = slots[i].cell;
+    centre.u = slots[i].cell;
+    centre.v = track.v[slot] + shift;
+    centre.initial_v = centre.v;
+    centre.sigma_column = arrays_[Sigma][slot];
+    centre.background = track.background[slot] + track.gradient[slot] * shift;
+    centre.gradient = track.gradient[slot];
+    centre.amplitude =
+        std::min(std::sqrt(arrays_[Energy][slot] / (centre.sigma_column * kSqrtPi)), saturation - centre.background);
+    centre.read_sigma = arrays_[ReadSigma][slot];
+    centre.initial_sigma = centre.read_sigma;
+    centre.starts_piece = slots[i].starts_piece;
+    centre.saturated = arrays_[Brightest][slot] >= saturation;
+    centre.ambiguous = slots[i].ambiguous || track.ambiguous[slot] > 0.0F;
     centres[i] = centre;
   }
-  evenOut(centres, &Centre::sigma_column);
-  withPixel(image,
-            [&](auto pixel)
-            {
-              using Pixel = decltype(pixel);
-              measureBackground<Pixel>(image, statistics.background, centres);
-              // First with the width the candidate seemed to have, then with the one that was measured.
-              for (int pass = 0; pass < 2; ++pass)
-              {
-                std::size_t kept = 0;
-                bool torn = false;
-                for (Centre& centre : centres)
-                {
-                  torn = torn || centre.starts_piece;
-                  if (!measureOne<Pixel>(image, levels, statistics.noise, weight, centre))
-                    continue;
-                  centre.starts_piece = torn;
-                  torn = false;
-                  centres[kept++] = centre;
-                }
-                centres.resize(kept);
-                if (pass == 0)
-                  evenOut(centres, &Centre::sigma_column);
-              }
-            });
-}
-
-template <class Pixel>
-void ColumnCentroid::measureBackground(const ImageView& image, double fallback, std::vector<Centre>& centres)
-{
-  for (Centre& centre : centres)
-  {
-    const int reach = static_cast<int>(std::ceil(kFlankSigmas * centre.sigma_column));
-    const int middle = static_cast<int>(std::lround(centre.v));
-    double above = 0.0;
-    double below = 0.0;
-    const bool has_above = flankLevel<Pixel>(image, centre.cell, middle - reach - kFlankPixels + 1, above);
-    const bool has_below = flankLevel<Pixel>(image, centre.cell, middle + reach, below);
-    centre.gradient = 0.0;
-    if (has_above && has_below)
-    {
-      centre.background = 0.5 * (above + below);
-      centre.gradient = (below - above) / (2 * reach + kFlankPixels - 1);
-    }
-    else
-      centre.background = has_above ? above : (has_below ? below : fallback);
-  }
-  evenOut(centres, &Centre::background);
-  evenOut(centres, &Centre::gradient);
-}
-
-template <class Pixel>
-bool ColumnCentroid::measureOne(const ImageView& image, const Levels& levels, double noise, CentroidWeight weight,
-                                Centre& centre)
-{
-  const bool squared = weight == CentroidWeight::SquaredGray;
-  Sums sums;
-  for (int i = 0; i < kIterations; ++i)
-  {
-    // The window stays symmetric where the image ends, or the centre would be drawn inward.
-    const double room = std::min(centre.v, image.height - 1 - centre.v) + 0.5;
-    const double half = std::min(kWindowSigmas * centre.sigma_column, room - 0.5);
-    if (!(half >= kLeastSigmas * centre.sigma_column))
-      return false;
-    sums = sumWindow<Pixel>(image, centre, half, squared, levels.saturation);
-    if (!(sums.weight > 0.0))
-      return false;
-    const double shift = sums.moment / sums.weight;
-    centre.v += shift;
-    centre.background += centre.gradient * shift;
-    if (std::abs(shift) < kSettled)
-      break;
-  }
-  if (std::abs(centre.v - centre.initial_v) > kAstraySigmas * centre.sigma_column)
-    return false;
-  // A squared Gaussian is narrower by sqrt(2).
-  const double variance = (squared ? 2.0 : 1.0) * sums.second / sums.weight;
-  if (!(variance > 0.0))
-    return false;
-  centre.sigma_column = std::sqrt(variance);
-  centre.amplitude =
-      std::min(std::sqrt(sums.energy / (centre.sigma_column * kSqrtPi)), levels.saturation - centre.background);
-  centre.read_sigma = noise * std::sqrt(sums.noise) / sums.weight;
-  centre.saturated = sums.saturated;
-  return true;
-}
-
-/// Running median along the stripe, not across a tear: a spatter beside the stripe spoils width and background of a few
-/// columns and must not spoil those of their neighbours.
-void ColumnCentroid::evenOut(std::vector<Centre>& centres, double Centre::*field)
-{
-  evened_.resize(centres.size());
-  const auto enter = [&](double value)
-  { window_.insert(std::upper_bound(window_.begin(), window_.end(), value), value); };
-  for (std::size_t begin = 0, end = 0; begin < centres.size(); begin = end)
-  {
-    for (end = begin + 1; end < centres.size() && !centres[end].starts_piece;)
-      ++end;
-    window_.clear();
-    for (std::size_t i = begin; i < std::min(end, begin + kEvenCells); ++i)
-      enter(centres[i].*field);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      if (i + kEvenCells < end)
-        enter(centres[i + kEvenCells].*field);
-      if (i > begin + kEvenCells)
-        window_.erase(std::lower_bound(window_.begin(), window_.end(), centres[i - kEvenCells - 1].*field));
-      evened_[i] = window_[window_.size() / 2];
-    }
-  }
-  for (std::size_t i = 0; i < centres.size(); ++i)
-    centres[i].*field = evened_[i];
 }
 }  // namespace weld_profiler

@@ -5,11 +5,14 @@
 
 namespace weld_profiler
 {
-/// Where the stripe is, to a pixel: fills scratch.seeds, at most one a column, and scratch.statistics.
-/// @return Ok, or why there is no stripe: seeds are empty then.
+/// Where the stripe is: fills scratch.track, its reference line and half width evened out along the stripe, every column
+/// measured about them.
+/// @return Ok, or why there is no stripe: the track has no pieces then.
 StripeStatus detectStripe(const ImageView& image, const StripeParams& params, Workspace::Scratch& scratch);
 
+/// What a column must show to be the stripe's.
+LeastLight leastLight(const StripeParams& params, const Levels& levels, const Workspace::Scratch& scratch);
+
 /// Why a frame shows no stripe: too bright, too dark, or none there.
-StripeStatus reasonForNone(const ImageView& image, const Levels& levels, const StripeParams& params,
-                           Workspace::Scratch& scratch);
+StripeStatus reasonForNone(const ImageView& image, const StripeParams& params);
 }  // namespace weld_profiler

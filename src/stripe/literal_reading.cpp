@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "detector.h"
+#include "frame_statistics.h"
 #include "kernel_choice.h"
+#include "median_filter.h"
 #include "taylor_step.h"
 
 namespace weld_profiler

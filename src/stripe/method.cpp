@@ -41,13 +41,11 @@ void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Wor
   if (stripe.status != StripeStatus::Ok)
     return;
   const Levels levels = levelsOf(image, params_);
-  scratch.centroid.measure(image, levels, scratch.statistics, weight(), scratch.seeds, scratch.centres);
+  const auto saturation = static_cast<float>(levels.saturation);
+  scratch.centroid.measure({ image, leastLight(params_, levels, scratch), saturation, weight() }, scratch.track);
+  scratch.choice.choose(scratch.track, scratch.centroid.light(), image.width);
+  scratch.centroid.write(scratch.track, scratch.choice.chosen(), saturation, scratch.centres);
   measureSlopes(scratch.centres);
-  for (Centre& centre : scratch.centres)
-  {
-    centre.initial_v = centre.v;
-    centre.initial_sigma = centre.read_sigma;
-  }
   refine(image, scratch);
   finish(params_, levels, workspace, stripe);
 }

@@ -8,11 +8,7 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr float kLightOverNoise = 4.0F;  // half the chance of one false column in 30 000
-constexpr float kNearlyAsGood = 0.5F;    // light, of the better, from which a second piece in a cell is worth a flag
-constexpr int kLeastCells = 5;           // of one piece
-constexpr int kSmallGap = 3;             // cells that may be missing inside a piece
-constexpr float kHalfPi = 1.57079625F;   // the largest float that is not beyond
+constexpr float kHalfPi = 1.57079625F;  // the largest float that is not beyond
 
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
 WELD_PROFILER_KERNEL float arcTangent(float x)
@@ -40,7 +36,6 @@ struct Finish
   WELD_PROFILER_KERNEL static void run(In in)
   {
     const RidgeCentres::Limits limits = in.limits;
-    const float noise = kLightOverNoise * limits.noise;
     float* __restrict good = in.good;
     float* __restrict angle = in.angle;
     float* __restrict intensity = in.intensity;
@@ -59,7 +54,7 @@ struct Finish
       intensity[i] = light < room ? light : room;
       width[i] = across;
       sigma[i] = in.row_sigma[i] * cosine;
-      const bool bright = light >= limits.least_light && light * light * in.column_width[i] >= noise * noise;
+      const bool bright = limits.least.isReached(light, in.column_width[i]);
       const bool wide = across >= limits.least_width && across <= limits.most_width;
       good[i] = in.columns[i] > 0.0F && bright && wide ? light : 0.0F;
     }
@@ -70,71 +65,33 @@ struct Finish
 };
 }  // namespace
 
-/// Of two pieces that overlap in a cell the brighter stays.
-void RidgeCentres::chooseSlots(const ColumnTrack& track, int cells)
+void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const
 {
-  slots_.assign(static_cast<std::size_t>(cells), -1);
-  for (const ColumnTrack::Piece& piece : track.pieces)
-    for (int k = 0; k < piece.count; ++k)
-    {
-      const int slot = piece.slot + k;
-      if (!(good_[slot] > 0.0F))
-        continue;
-      int& chosen = slots_[piece.cell + k];
-      if (chosen >= 0)
-      {
-        const int dimmer = good_[chosen] < good_[slot] ? chosen : slot;
-        const int brighter = dimmer == slot ? chosen : slot;
-        const bool close = good_[dimmer] > kNearlyAsGood * good_[brighter];
-        flags_[brighter] |= close ? stripe_flag::kAmbiguous : 0;
-        chosen = brighter;
-      }
-      else
-        chosen = slot;
-    }
-}
-
-/// @return how many centres were appended; short pieces are taken back.
-std::size_t RidgeCentres::append(const ColumnTrack& /*track*/, const AlongStripe& along, Stripe& stripe,
-                                 std::vector<std::uint16_t>& aperture) const
-{
-  std::size_t count = 0;
-  std::size_t piece = 0;
-  int last = -1;
-  for (int cell = 0; cell < static_cast<int>(slots_.size()); ++cell)
+  const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
+  stripe.resize(chosen.size());
+  aperture.resize(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
   {
-    const int slot = slots_[cell];
-    if (slot < 0)
-      continue;
-    if (cell - last > kSmallGap + 1)
-    {
-      if (count - piece < kLeastCells)
-        count = piece;
-      piece = count;
-    }
-    last = cell;
-    stripe.cell[count] = static_cast<std::uint16_t>(cell);
-    stripe.u[count] = static_cast<float>(cell);
-    stripe.v[count] = along.row()[slot];
-    stripe.normal_angle[count] = angle_[slot];
-    stripe.intensity[count] = intensity_[slot];
-    stripe.width[count] = width_[slot];
-    stripe.sigma[count] = sigma_[slot];
-    stripe.flags[count] = flags_[slot];
-    aperture[count] = static_cast<std::uint16_t>(along.aperture()[slot]);
-    ++count;
+    const int slot = chosen[i].slot;
+    stripe.cell[i] = static_cast<std::uint16_t>(chosen[i].cell);
+    stripe.u[i] = static_cast<float>(chosen[i].cell);
+    stripe.v[i] = along.row()[slot];
+    stripe.normal_angle[i] = angle_[slot];
+    stripe.intensity[i] = intensity_[slot];
+    stripe.width[i] = width_[slot];
+    stripe.sigma[i] = sigma_[slot];
+    stripe.flags[i] = flags_[slot] | (chosen[i].ambiguous ? stripe_flag::kAmbiguous : 0);
+    aperture[i] = static_cast<std::uint16_t>(along.aperture()[slot]);
   }
-  return count - piece < kLeastCells ? piece : count;
 }
 
-void RidgeCentres::trace(const ColumnTrack& track, const Stripe& stripe, std::vector<InitialPoint>& initial) const
+void RidgeCentres::trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const
 {
-  for (std::size_t i = 0; i < stripe.size(); ++i)
+  for (const SlotChoice::Slot& chosen : choice_.chosen())
   {
-    const int slot = slots_[stripe.cell[i]];
     InitialPoint point;
-    point.u = point.block_u = stripe.u[i];
-    point.v = track.v[slot] + track.core[slot];
+    point.u = point.block_u = static_cast<float>(chosen.cell);
+    point.v = track.v[chosen.slot] + track.core[chosen.slot];
     point.block_v = std::round(point.v);
     initial.push_back(point);
   }
@@ -163,11 +120,7 @@ void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, con
                        sigma_.data(),
                        flags_.data() };
   dispatch<Finish>(in);
-  chooseSlots(track, cells);
-  stripe.resize(static_cast<std::size_t>(cells));
-  aperture.resize(static_cast<std::size_t>(cells));
-  const std::size_t count = append(track, along, stripe, aperture);
-  stripe.resize(count);
-  aperture.resize(count);
+  choice_.choose(track, good_, cells);
+  fill(along, stripe, aperture);
 }
 }  // namespace weld_profiler
