@@ -1,7 +1,6 @@
 #include "centroid.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "lanes.h"
 
@@ -15,16 +14,14 @@ constexpr float kNarrowest = 0.6F;     // [px]
 constexpr float kAstraySigmas = 2.0F;  // from the track's line; a centroid that went farther follows something else
 constexpr int kIterations = 4;
 constexpr float kSettled = 2e-4F;  // [px]
-const double kSqrtPi = std::sqrt(std::acos(-1.0));
 
 struct Strip
 {
   ImageView image;
-  LeastLight least;
   int cell;   // first column
   int count;  // columns
-  const float *v, *sigma, *background, *gradient, *track_light, *weight;
-  float *light, *shift, *width, *energy, *read_sigma, *brightest;
+  const float *v, *sigma, *background, *gradient;
+  float *shift, *half, *weight, *second, *energy, *noise, *brightest;
 };
 
 /// Sums over the window of some neighbouring columns.
@@ -92,7 +89,13 @@ struct MeasureCentroids
       if (leastOf(step) > -kSettled && leastOf(Lanes(-step)) > -kSettled)
         break;
     }
-    finish(strip, first, at, sums);
+    store(at.shift, strip.shift + first);
+    store(at.half, strip.half + first);
+    store(sums.weight, strip.weight + first);
+    store(sums.second, strip.second + first);
+    store(sums.energy, strip.energy + first);
+    store(sums.noise, strip.noise + first);
+    store(sums.brightest, strip.brightest + first);
   }
 
   template <class Lanes>
@@ -127,30 +130,45 @@ struct MeasureCentroids
       sums.brightest = seen > sums.brightest ? seen : sums.brightest;
     }
   }
+};
 
-  template <class Lanes>
-  WELD_PROFILER_KERNEL static void finish(const Strip& strip, int first, const Stretch<Lanes>& at,
-                                          const Sums<Lanes>& sums)
+/// From the sums of each slot to what they tell, in their place.
+struct FinishCentroids
+{
+  struct In
   {
-    const Lanes far = kAstraySigmas * at.sigma;
-    // A squared Gaussian is narrower by sqrt(2).
-    const Lanes variance = (kSquared ? 2.0F : 1.0F) * sums.second / sums.weight;
-    Lanes light, weight;
-    load(strip.track_light + first, light);
-    load(strip.weight + first, weight);
-    const Lanes kept = (weight > 0.0F && sums.weight > 0.0F && variance > 0.0F && at.shift <= far && at.shift >= -far &&
-                        at.half >= kLeastSigmas * at.sigma)
-                           ? light
-                           : Lanes{};
-    store(at.shift, strip.shift + first);
-    store(sums.energy, strip.energy + first);
-    store(sums.brightest, strip.brightest + first);
-    for (int k = 0; k < kLanes<Lanes>; ++k)
+    int count;
+    bool squared;
+    LeastLight least;
+    float saturation;
+    const float *track_light, *track_weight, *track_sigma, *background, *gradient;
+    const float *shift, *half, *weight, *second;
+    float *light, *sigma, *amplitude, *read_sigma;
+  };
+  WELD_PROFILER_KERNEL static void run(In in)
+  {
+    constexpr float kSqrtPi = 1.7724539F;
+    const float widening = in.squared ? 2.0F : 1.0F;  // a squared Gaussian is narrower by sqrt(2)
+    float* __restrict light = in.light;
+    float* __restrict sigma = in.sigma;
+    float* __restrict amplitude = in.amplitude;
+    float* __restrict read_sigma = in.read_sigma;
+    for (int i = 0; i < in.count; ++i)
     {
-      const bool bright = strip.least.isReached(kept[k], strip.sigma[first + k]);
-      strip.light[first + k] = bright ? kept[k] : 0.0F;
-      strip.width[first + k] = __builtin_sqrtf(variance[k]);
-      strip.read_sigma[first + k] = strip.least.noise * __builtin_sqrtf(sums.noise[k]) / sums.weight[k];
+      const float before = in.track_sigma[i] > kNarrowest ? in.track_sigma[i] : kNarrowest;
+      const float shift = in.shift[i];
+      const float far = kAstraySigmas * before;
+      const float weight = in.weight[i];
+      const bool stayed = (shift <= far) & (shift >= -far) & (in.half[i] >= kLeastSigmas * before);
+      const bool measured = (in.track_weight[i] > 0.0F) & (weight > 0.0F) & (in.second[i] > 0.0F);
+      const bool bright = in.least.isReached(in.track_light[i], in.track_sigma[i]);
+      light[i] = stayed & measured & bright ? in.track_light[i] : 0.0F;
+      const float width = __builtin_sqrtf(widening * in.second[i] / weight);
+      const float height = __builtin_sqrtf(amplitude[i] / (width * kSqrtPi));
+      const float room = in.saturation - in.background[i] - in.gradient[i] * shift;
+      sigma[i] = width;
+      amplitude[i] = height < room ? height : room;
+      read_sigma[i] = in.least.noise * __builtin_sqrtf(read_sigma[i]) / weight;
     }
   }
 };
@@ -159,26 +177,25 @@ struct MeasureCentroids
 void ColumnCentroid::measure(const Task& task, const ColumnTrack& track)
 {
   for (std::vector<float>& array : arrays_)
-    array.resize(track.slots());
+    array.assign(track.slots(), 0.0F);
   for (const ColumnTrack::Piece& piece : track.pieces)
   {
     const auto slot = static_cast<std::size_t>(piece.slot);
+    const auto at = [&](Array array) { return arrays_[array].data() + slot; };
     const Strip strip{ task.image,
-                       task.least,
                        piece.cell,
                        piece.count,
                        &track.v[slot],
                        &track.sigma[slot],
                        &track.background[slot],
                        &track.gradient[slot],
-                       &track.light[slot],
-                       &track.weight[slot],
-                       &arrays_[Light][slot],
-                       &arrays_[Shift][slot],
-                       &arrays_[Sigma][slot],
-                       &arrays_[Energy][slot],
-                       &arrays_[ReadSigma][slot],
-                       &arrays_[Brightest][slot] };
+                       at(Shift),
+                       at(Half),
+                       at(Weight),
+                       at(Second),
+                       at(Amplitude),
+                       at(ReadSigma),
+                       at(Brightest) };
     withPixel(task.image,
               [&](auto pixel)
               {
@@ -189,6 +206,29 @@ void ColumnCentroid::measure(const Task& task, const ColumnTrack& track)
                   dispatchLanes<MeasureCentroids<Pixel, false>>(strip);
               });
   }
+  finish(task, track);
+}
+
+void ColumnCentroid::finish(const Task& task, const ColumnTrack& track)
+{
+  const FinishCentroids::In in{ static_cast<int>(track.slots()),
+                                task.weight == CentroidWeight::SquaredGray,
+                                task.least,
+                                task.saturation,
+                                track.light.data(),
+                                track.weight.data(),
+                                track.sigma.data(),
+                                track.background.data(),
+                                track.gradient.data(),
+                                arrays_[Shift].data(),
+                                arrays_[Half].data(),
+                                arrays_[Weight].data(),
+                                arrays_[Second].data(),
+                                arrays_[Light].data(),
+                                arrays_[Sigma].data(),
+                                arrays_[Amplitude].data(),
+                                arrays_[ReadSigma].data() };
+  dispatch<FinishCentroids>(in);
 }
 
 void ColumnCentroid::write(const ColumnTrack& track, const std::vector<SlotChoice::Slot>& slots, float saturation,
@@ -199,7 +239,8 @@ void ColumnCentroid::write(const ColumnTrack& track, const std::vector<SlotChoic
   {
     const auto slot = static_cast<std::size_t>(slots[i].slot);
     const double shift = arrays_[Shift][slot];
-    Centre centre;
+    Centre& centre = centres[i];
+    centre = Centre{};
     centre.cell = slots[i].cell;
     centre.u = slots[i].cell;
     centre.v = track.v[slot] + shift;
@@ -207,14 +248,12 @@ void ColumnCentroid::write(const ColumnTrack& track, const std::vector<SlotChoic
     centre.sigma_column = arrays_[Sigma][slot];
     centre.background = track.background[slot] + track.gradient[slot] * shift;
     centre.gradient = track.gradient[slot];
-    centre.amplitude =
-        std::min(std::sqrt(arrays_[Energy][slot] / (centre.sigma_column * kSqrtPi)), saturation - centre.background);
+    centre.amplitude = arrays_[Amplitude][slot];
     centre.read_sigma = arrays_[ReadSigma][slot];
     centre.initial_sigma = centre.read_sigma;
     centre.starts_piece = slots[i].starts_piece;
     centre.saturated = arrays_[Brightest][slot] >= saturation;
     centre.ambiguous = slots[i].ambiguous || track.ambiguous[slot] > 0.0F;
-    centres[i] = centre;
   }
 }
 }  // namespace weld_profiler

@@ -46,13 +46,18 @@ public:
              std::vector<Centre>& centres) const;
 
 private:
+  void finish(const Task& task, const ColumnTrack& track);
+
   enum Array
   {
     Light,
-    Shift,  // of the centroid from the track's line [px]
-    Sigma,  // 1-sigma half width [px]
-    Energy,  // sum of squared gray
-    ReadSigma,
+    Shift,      // of the centroid from the track's line [px]
+    Half,       // of the window [px]
+    Weight,     // sums over the window:
+    Second,     // moment
+    Sigma,      // 1-sigma half width [px]
+    Amplitude,  // before finish(), sum of squared gray
+    ReadSigma,  // before finish(), of what noise adds to the moment
     Brightest,  // pixel of the window
     Arrays
   };

@@ -5,8 +5,8 @@
 
 namespace weld_profiler
 {
-/// Where the stripe is: fills scratch.track, its reference line and half width evened out along the stripe, every column
-/// measured about them.
+/// Where the stripe is: fills scratch.track, its reference line and half width evened out along the stripe, every
+/// column measured about them.
 /// @return Ok, or why there is no stripe: the track has no pieces then.
 StripeStatus detectStripe(const ImageView& image, const StripeParams& params, Workspace::Scratch& scratch);
 

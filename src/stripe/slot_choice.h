@@ -18,7 +18,7 @@ struct LeastLight
   {
     constexpr float kLightOverNoise = 4.0F;  // half the chance of one false column in 30 000
     const float least = kLightOverNoise * noise;
-    return height >= light && height * height * sigma >= least * least;
+    return (height >= light) & (height * height * sigma >= least * least);
   }
 };
 
