@@ -56,7 +56,7 @@ struct Finish
       sigma[i] = in.row_sigma[i] * cosine;
       const bool bright = limits.least.isReached(light, in.column_width[i]);
       const bool wide = across >= limits.least_width && across <= limits.most_width;
-      good[i] = in.columns[i] > 0.0F && bright && wide ? light : 0.0F;
+      good[i] = in.columns[i] > 0.0F && room > 0.0F && bright && wide ? light : 0.0F;
     }
     for (int i = 0; i < in.count; ++i)
       flags[i] = static_cast<std::uint8_t>((in.peak[i] >= limits.saturation ? stripe_flag::kSaturated : 0) |
