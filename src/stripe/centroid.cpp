@@ -7,22 +7,25 @@ namespace weld_profiler
 void ColumnCentroid::measure(const Task& task, const ColumnTrack& track)
 {
   for (std::vector<float>& array : arrays_)
-    array.assign(track.slots(), 0.0F);
+    array.resize(track.slots());
   for (const ColumnTrack::Piece& piece : track.pieces)
   {
     const auto slot = static_cast<std::size_t>(piece.slot);
     const auto at = [&](Array array) { return arrays_[array].data() + slot; };
     const CentroidStrip strip{ task.image,
+                               task.least,
+                               task.saturation,
                                piece.cell,
                                piece.count,
                                &track.v[slot],
                                &track.sigma[slot],
                                &track.background[slot],
                                &track.gradient[slot],
+                               &track.light[slot],
+                               &track.weight[slot],
+                               at(Light),
                                at(Shift),
-                               at(Half),
-                               at(Weight),
-                               at(Second),
+                               at(Sigma),
                                at(Amplitude),
                                at(ReadSigma),
                                at(Brightest) };
@@ -36,29 +39,6 @@ void ColumnCentroid::measure(const Task& task, const ColumnTrack& track)
                   dispatchLanes<MeasureCentroids<Pixel, false>>(strip);
               });
   }
-  finish(task, track);
-}
-
-void ColumnCentroid::finish(const Task& task, const ColumnTrack& track)
-{
-  const FinishCentroids::In in{ static_cast<int>(track.slots()),
-                                task.weight == CentroidWeight::SquaredGray,
-                                task.least,
-                                task.saturation,
-                                track.light.data(),
-                                track.weight.data(),
-                                track.sigma.data(),
-                                track.background.data(),
-                                track.gradient.data(),
-                                arrays_[Shift].data(),
-                                arrays_[Half].data(),
-                                arrays_[Weight].data(),
-                                arrays_[Second].data(),
-                                arrays_[Light].data(),
-                                arrays_[Sigma].data(),
-                                arrays_[Amplitude].data(),
-                                arrays_[ReadSigma].data() };
-  dispatch<FinishCentroids>(in);
 }
 
 void ColumnCentroid::write(const ColumnTrack& track, const std::vector<SlotChoice::Slot>& slots, float saturation,

@@ -46,18 +46,13 @@ public:
              std::vector<Centre>& centres) const;
 
 private:
-  void finish(const Task& task, const ColumnTrack& track);
-
   enum Array
   {
     Light,
     Shift,      // of the centroid from the track's line [px]
-    Half,       // of the window [px]
-    Weight,     // sums over the window:
-    Second,     // moment
     Sigma,      // 1-sigma half width [px]
-    Amplitude,  // before finish(), sum of squared gray
-    ReadSigma,  // before finish(), of what noise adds to the moment
+    Amplitude,  // above the background [grey levels]
+    ReadSigma,  // of the centroid [px]
     Brightest,  // pixel of the window
     Arrays
   };

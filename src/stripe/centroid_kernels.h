@@ -24,10 +24,12 @@ struct CentroidLimits
 struct CentroidStrip
 {
   ImageView image;
+  LeastLight least;
+  float saturation;
   int cell;   // first column
   int count;  // columns
-  const float *v, *sigma, *background, *gradient;
-  float *shift, *half, *weight, *second, *energy, *noise, *brightest;
+  const float *v, *sigma, *background, *gradient, *track_light, *track_weight;
+  float *light, *shift, *width, *amplitude, *read_sigma, *brightest;
 };
 
 /// Sums over the window of some neighbouring columns.
@@ -53,6 +55,16 @@ WELD_PROFILER_KERNEL float leastOf(const Lanes& lanes)
   for (int k = 1; k < kLanes<Lanes>; ++k)
     result = std::min(result, lanes[k]);
   return result;
+}
+
+template <class Lanes>
+WELD_PROFILER_KERNEL void takeRoot(Lanes& lanes)
+{
+  float values[kLanes<Lanes>];
+  store(lanes, values);
+  for (float& value : values)
+    value = __builtin_sqrtf(value);
+  load(values, lanes);
 }
 
 template <class Pixel, bool kSquared>
@@ -95,13 +107,7 @@ struct MeasureCentroids
       if (leastOf(step) > -CentroidLimits::kSettled && leastOf(Lanes(-step)) > -CentroidLimits::kSettled)
         break;
     }
-    store(at.shift, strip.shift + first);
-    store(at.half, strip.half + first);
-    store(sums.weight, strip.weight + first);
-    store(sums.second, strip.second + first);
-    store(sums.energy, strip.energy + first);
-    store(sums.noise, strip.noise + first);
-    store(sums.brightest, strip.brightest + first);
+    tell(strip, first, at, sums);
   }
 
   template <class Lanes>
@@ -137,47 +143,34 @@ struct MeasureCentroids
       sums.brightest = seen > sums.brightest ? seen : sums.brightest;
     }
   }
-};
 
-/// From the sums of each slot to what they tell, in their place.
-struct FinishCentroids
-{
-  struct In
-  {
-    int count;
-    bool squared;
-    LeastLight least;
-    float saturation;
-    const float *track_light, *track_weight, *track_sigma, *background, *gradient;
-    const float *shift, *half, *weight, *second;
-    float *light, *sigma, *amplitude, *read_sigma;
-  };
-  WELD_PROFILER_KERNEL static void run(In in)
+  template <class Lanes>
+  WELD_PROFILER_KERNEL static void tell(const CentroidStrip& strip, int first, const CentroidStretch<Lanes>& at,
+                                        const CentroidSums<Lanes>& sums)
   {
     constexpr float kSqrtPi = 1.7724539F;
-    const float widening = in.squared ? 2.0F : 1.0F;  // a squared Gaussian is narrower by sqrt(2)
-    float* __restrict light = in.light;
-    float* __restrict sigma = in.sigma;
-    float* __restrict amplitude = in.amplitude;
-    float* __restrict read_sigma = in.read_sigma;
-    for (int i = 0; i < in.count; ++i)
-    {
-      const float before =
-          in.track_sigma[i] > CentroidLimits::kNarrowest ? in.track_sigma[i] : CentroidLimits::kNarrowest;
-      const float shift = in.shift[i];
-      const float far = CentroidLimits::kAstraySigmas * before;
-      const float weight = in.weight[i];
-      const bool stayed = (shift <= far) & (shift >= -far) & (in.half[i] >= CentroidLimits::kLeastSigmas * before);
-      const bool measured = (in.track_weight[i] > 0.0F) & (weight > 0.0F) & (in.second[i] > 0.0F);
-      const bool bright = in.least.isReached(in.track_light[i], in.track_sigma[i]);
-      light[i] = stayed & measured & bright ? in.track_light[i] : 0.0F;
-      const float width = __builtin_sqrtf(widening * in.second[i] / weight);
-      const float height = __builtin_sqrtf(amplitude[i] / (width * kSqrtPi));
-      const float room = in.saturation - in.background[i] - in.gradient[i] * shift;
-      sigma[i] = width;
-      amplitude[i] = height < room ? height : room;
-      read_sigma[i] = in.least.noise * __builtin_sqrtf(read_sigma[i]) / weight;
-    }
+    Lanes light, measured;
+    load(strip.track_light + first, light);
+    load(strip.track_weight + first, measured);
+    const Lanes far = CentroidLimits::kAstraySigmas * at.sigma;
+    const auto stayed = (at.shift <= far) & (at.shift >= -far) & (at.half >= CentroidLimits::kLeastSigmas * at.sigma);
+    const auto there = (measured > 0.0F) & (sums.weight > 0.0F) & (sums.second > 0.0F);
+    const auto bright = (light >= strip.least.light) & (light * light * at.sigma >= strip.least.square());
+    light = (stayed & there & bright) ? light : Lanes{};
+    // A squared Gaussian is narrower by sqrt(2).
+    Lanes width = (kSquared ? 2.0F : 1.0F) * sums.second / sums.weight;
+    takeRoot(width);
+    Lanes height = sums.energy / (width * kSqrtPi);
+    takeRoot(height);
+    Lanes noise = sums.noise;
+    takeRoot(noise);
+    const Lanes room = strip.saturation - at.background - at.gradient * at.shift;
+    store(light, strip.light + first);
+    store(at.shift, strip.shift + first);
+    store(width, strip.width + first);
+    store(Lanes(height < room ? height : room), strip.amplitude + first);
+    store(Lanes(strip.least.noise * noise / sums.weight), strip.read_sigma + first);
+    store(sums.brightest, strip.brightest + first);
   }
 };
 }  // namespace weld_profiler

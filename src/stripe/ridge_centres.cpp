@@ -54,7 +54,7 @@ struct Finish
       intensity[i] = light < room ? light : room;
       width[i] = across;
       sigma[i] = in.row_sigma[i] * cosine;
-      const bool bright = limits.least.isReached(light, in.column_width[i]);
+      const bool bright = light >= limits.least.light && light * light * in.column_width[i] >= limits.least.square();
       const bool wide = across >= limits.least_width && across <= limits.most_width;
       good[i] = in.columns[i] > 0.0F && room > 0.0F && bright && wide ? light : 0.0F;
     }

@@ -14,11 +14,11 @@ struct LeastLight
   float light;  ///< [grey levels]
   float noise;  ///< 1-sigma of one pixel [grey levels]
 
-  WELD_PROFILER_KERNEL bool isReached(float height, float sigma) const
+  /// That a light's square times its half width must reach too.
+  WELD_PROFILER_KERNEL float square() const
   {
     constexpr float kLightOverNoise = 4.0F;  // half the chance of one false column in 30 000
-    const float least = kLightOverNoise * noise;
-    return (height >= light) & (height * height * sigma >= least * least);
+    return kLightOverNoise * noise * (kLightOverNoise * noise);
   }
 };
 
