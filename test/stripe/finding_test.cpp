@@ -85,8 +85,8 @@ TEST(Finding, IsNotDisturbedByPepperNoise)
       if (chance(random) < 0.003)
         picture.set(u, v, chance(random) < 0.5 ? 255.0 : 0.0);
   const Outcome outcome = judge(scene, extract(paramsOf("squared_centroid"), picture));
-  // The median keeps single pixels out of detection; one in the window of 13 still pulls the centroid (4 % of the
-  // columns).
+  // Sums over 8 columns keep single pixels out of detection; one in the window of 13 still pulls the centroid (4 % of
+  // the columns).
   EXPECT_LE(outcome.off, 0.01);
   EXPECT_LE(outcome.missing, 0.02);
 }
