@@ -1,5 +1,6 @@
 #include "comparison/candidates.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -53,6 +54,42 @@ private:
   OpencvSteger steger_;
 };
 
+/// The same over the rows around the stripe alone, told from the first frame it is given.
+class TextbookInBand : public Candidate
+{
+public:
+  explicit TextbookInBand(double sigma) : reach_(static_cast<int>(std::ceil(kReach * sigma))), steger_(sigma) {}
+  void process(const RawImage& image, Stripe& stripe) override
+  {
+    if (rows_ == 0)
+      findBand(image, stripe);
+    RawImage band = image;
+    band.data += static_cast<std::size_t>(first_) * image.step;
+    band.height = std::min(rows_, image.height - first_);
+    steger_.process(band, stripe);
+    for (float& v : stripe.v)
+      v += static_cast<float>(first_);
+  }
+
+private:
+  static constexpr double kReach = 6.0;  ///< the kernel's, and what the stripe moves from frame to frame
+
+  void findBand(const RawImage& image, Stripe& stripe)
+  {
+    StripeParams params;
+    params.direction = "u";
+    Workspace workspace;
+    StripeStage(params).process(image, workspace, stripe);
+    const auto range = std::minmax_element(stripe.v.begin(), stripe.v.end());
+    first_ = std::max(0, static_cast<int>(stripe.empty() ? 0.0F : *range.first) - reach_);
+    rows_ = (stripe.empty() ? image.height : static_cast<int>(*range.second) + reach_) - first_ + 1;
+  }
+
+  int reach_;
+  int first_ = 0, rows_ = 0;
+  OpencvSteger steger_;
+};
+
 /// The paper's chain over the whole frame, with the kernel that method svd takes for the stripe.
 class PlainSvd : public Candidate
 {
@@ -98,6 +135,8 @@ std::unique_ptr<Candidate> makeCandidate(const std::string& name, const Candidat
   const double kernel = at == std::string::npos ? 0.0 : std::atof(name.c_str() + at + 1);
   if (method == "opencv_steger")
     return std::make_unique<Textbook>(kernel > 0.0 ? kernel : kKernelPerStripe * settings.stripe_sigma);
+  if (method == "opencv_steger_in_band")
+    return std::make_unique<TextbookInBand>(kKernelPerStripe * settings.stripe_sigma);
   if (method == "svd_plain")
     return std::make_unique<PlainSvd>(0.25 * std::round(kKernelPerStripe * settings.stripe_sigma / 0.25));
   StripeParams params;

@@ -13,9 +13,6 @@ namespace weld_profiler
 /// runs steeper than 68 deg a column lies along it and holds many centres: two either side are flagged ambiguous.
 void measureSlopes(std::vector<Centre>& centres);
 
-/// Leaves out what has no line about it: fewer than 3 centres with no other within 4 columns.
-void dropLoneCentres(std::vector<Centre>& centres);
-
 /// Turns centres into the stripe: normals, width across the stripe, sigma across the stripe, flags. Centres whose width
 /// or height the parameters rule out are left out.
 void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter, const StripeParams& params,

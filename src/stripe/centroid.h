@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "centre.h"
-#include "frame_statistics.h"
-#include "seed.h"
+#include "pixels.h"
+#include "slot_choice.h"
 
 namespace weld_profiler
 {
@@ -15,7 +16,7 @@ enum class CentroidWeight
   SquaredGray  ///< I^2: Eq. 4
 };
 
-/// Gray centroid of each seed's column.
+/// Gray centroid of each column of a track.
 ///
 /// Eq. 4 of the paper, Yc = sum(I^2 y) / sum(I^2), in the sound reading: the background, level and slope, is taken off,
 /// and the cross-section is a window of 3 sigma either side that is centred on the result and has soft ends. (A window
@@ -25,19 +26,36 @@ enum class CentroidWeight
 class ColumnCentroid
 {
 public:
-  /// @param centres  one a seed at most, in the seeds' order; seeds too close to the image's edge or too dim are left
-  /// out.
-  void measure(const ImageView& image, const Levels& levels, const FrameStatistics& statistics, CentroidWeight weight,
-               const std::vector<Seed>& seeds, std::vector<Centre>& centres);
+  struct Task
+  {
+    const ImageView& image;
+    LeastLight least;
+    float saturation;  ///< grey level at which pixels clip
+    CentroidWeight weight;
+  };
+
+  /// Several columns at once. Those that are too dim, too close to the image's edge or whose centroid leaves the stripe
+  /// have no light afterwards.
+  void measure(const Task& task, const ColumnTrack& track);
+
+  /// Of each slot; 0 = no centroid.
+  const std::vector<float>& light() const { return arrays_[Light]; }
+
+  /// @param centres  one a slot.
+  void write(const ColumnTrack& track, const std::vector<SlotChoice::Slot>& slots, float saturation,
+             std::vector<Centre>& centres) const;
 
 private:
-  template <class Pixel>
-  void measureBackground(const ImageView& image, double fallback, std::vector<Centre>& centres);
-  template <class Pixel>
-  bool measureOne(const ImageView& image, const Levels& levels, double noise, CentroidWeight weight, Centre& centre);
-  void evenOut(std::vector<Centre>& centres, double Centre::*field);
-
-  std::vector<double> evened_;
-  std::vector<double> window_;
+  enum Array
+  {
+    Light,
+    Shift,      // of the centroid from the track's line [px]
+    Sigma,      // 1-sigma half width [px]
+    Amplitude,  // above the background [grey levels]
+    ReadSigma,  // of the centroid [px]
+    Brightest,  // pixel of the window
+    Arrays
+  };
+  std::array<std::vector<float>, Arrays> arrays_;
 };
 }  // namespace weld_profiler

@@ -1,30 +1,19 @@
 #include "detector.h"
 
-#include <algorithm>
+#include "frame_statistics.h"
 
 namespace weld_profiler
 {
 namespace
 {
 constexpr double kOverexposed = 0.3;  ///< share of clipped pixels from which a frame without a stripe is too bright
-constexpr int kLeastCells = 5;        ///< of one piece
-constexpr double kLeastShare = 0.25;  ///< of all candidates' brightness in its columns; less is a pattern, no stripe
+}  // namespace
 
-/// The line's share of what is bright in its columns: a stripe stands out, a row of a checkerboard does not.
-double shareOfBrightness(const CandidateList& candidates, const std::vector<Seed>& seeds)
+StripeStatus reasonForNone(const ImageView& image, const StripeParams& params)
 {
-  double own = 0.0;
-  double all = 0.0;
-  for (const Seed& seed : seeds)
-  {
-    own += seed.brightness;
-    all += candidates.total_brightness[static_cast<std::size_t>(seed.u)];
-  }
-  return all > 0.0 ? own / all : 0.0;
-}
-
-StripeStatus reason(const FrameStatistics& statistics, const Levels& levels, const StripeParams& params)
-{
+  const Levels levels = levelsOf(image, params);
+  FrameStatistics statistics;
+  measureFrame(image, levels, statistics);
   if (statistics.saturated_share >= kOverexposed)
     return StripeStatus::TooBright;
   int brightest = kBins - 1;
@@ -33,24 +22,25 @@ StripeStatus reason(const FrameStatistics& statistics, const Levels& levels, con
   return brightest * levels.bin() < params.min_peak_counts * levels.count ? StripeStatus::TooDark
                                                                           : StripeStatus::NoStripe;
 }
-}  // namespace
 
-StripeStatus reasonForNone(const ImageView& image, const Levels& levels, const StripeParams& params,
-                           Workspace::Scratch& scratch)
+LeastLight leastLight(const StripeParams& params, const Levels& levels, const Workspace::Scratch& scratch)
 {
-  measureFrame(image, levels, scratch.statistics);
-  return reason(scratch.statistics, levels, params);
+  return LeastLight{ static_cast<float>(params.min_peak_counts * levels.count), scratch.finder.noise() };
 }
 
-StripeStatus detectStripe(const ImageView& image, const StripeParams& params, Workspace::Scratch& scratch)
+StripeStatus detectStripe(const ImageView& image, const StripeParams& params, const StripeHint& hint,
+                          Workspace::Scratch& scratch)
 {
-  const Levels levels = levelsOf(image, params);
-  measureFrame(image, levels, scratch.statistics);
-  scratch.finder.find(image, params, scratch.statistics, scratch.candidates);
-  scratch.tracker.choose(scratch.candidates, static_cast<float>(scratch.statistics.otsu), scratch.seeds);
-  dropShortPieces(scratch.seeds, std::min(kLeastCells, image.width));
-  if (shareOfBrightness(scratch.candidates, scratch.seeds) < kLeastShare)
-    scratch.seeds.clear();
-  return scratch.seeds.empty() ? reason(scratch.statistics, levels, params) : StripeStatus::Ok;
+  ColumnTrack& track = scratch.track;
+  track.pieces.clear();
+  if (image.width >= kGroup)
+    scratch.finder.find(image, leastLight(params, levelsOf(image, params), scratch).light, hint.last, track);
+  if (track.pieces.empty())
+    return reasonForNone(image, params);
+  const float noise = scratch.finder.noise();
+  ColumnMoments::locate(image, noise, track);
+  scratch.along.settle(track);
+  ColumnMoments::measure(image, noise, track);
+  return StripeStatus::Ok;
 }
 }  // namespace weld_profiler

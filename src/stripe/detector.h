@@ -2,14 +2,20 @@
 
 #include "scratch.h"
 #include "weld_profiler/core/stripe.h"
+#include "weld_profiler/stripe/stripe_extractor.h"
 
 namespace weld_profiler
 {
-/// Where the stripe is, to a pixel: fills scratch.seeds, at most one a column, and scratch.statistics.
-/// @return Ok, or why there is no stripe: seeds are empty then.
-StripeStatus detectStripe(const ImageView& image, const StripeParams& params, Workspace::Scratch& scratch);
+/// Where the stripe is: fills scratch.track, its reference line and half width evened out along the stripe, every
+/// column measured about them.
+/// @return Ok, or why there is no stripe: the track has no pieces then.
+/// @param hint  see StripeFinder::find().
+StripeStatus detectStripe(const ImageView& image, const StripeParams& params, const StripeHint& hint,
+                          Workspace::Scratch& scratch);
+
+/// What a column must show to be the stripe's.
+LeastLight leastLight(const StripeParams& params, const Levels& levels, const Workspace::Scratch& scratch);
 
 /// Why a frame shows no stripe: too bright, too dark, or none there.
-StripeStatus reasonForNone(const ImageView& image, const Levels& levels, const StripeParams& params,
-                           Workspace::Scratch& scratch);
+StripeStatus reasonForNone(const ImageView& image, const StripeParams& params);
 }  // namespace weld_profiler

@@ -125,7 +125,7 @@ protected:
                   centre.background += centre.gradient * (crossing.v - centre.v);
                   centre.v = crossing.v;
                   const double bent = kStraightLine / (width * width + centre.sigma_column * centre.sigma_column);
-                  centre.read_sigma = std::hypot(scratch.statistics.noise * crossing.gain, bent);
+                  centre.read_sigma = std::hypot(scratch.finder.noise() * crossing.gain, bent);
                 }
               });
   }

@@ -76,17 +76,18 @@ double noiseAlongRows(const ImageView& image, double bin)
 void measureFrame(const ImageView& image, const Levels& levels, FrameStatistics& statistics)
 {
   const double bin = levels.bin();
+  double noise = 0.0;
   withPixel(image,
             [&](auto pixel)
             {
               using Pixel = decltype(pixel);
               sampleLevels<Pixel>(image, bin, statistics.histogram);
-              statistics.noise = noiseAlongRows<Pixel>(image, bin);
+              noise = noiseAlongRows<Pixel>(image, bin);
             });
   // A tenth of the pixels lies below: background even where stripe and glow fill most of a narrow region.
   constexpr double kShare = 0.1;
   constexpr double kBelowMean = 1.28;  // sigmas from a normal distribution's 10 % to its middle
-  statistics.background = bin * quantile(statistics.histogram, kShare) + kBelowMean * statistics.noise;
+  statistics.background = bin * quantile(statistics.histogram, kShare) + kBelowMean * noise;
   statistics.otsu = bin * (otsuBin(statistics.histogram) + 1);
 
   double total = 0.0;

@@ -15,7 +15,6 @@ struct FrameStatistics
 {
   Histogram histogram{};         ///< grey levels, in bins of Levels::bin()
   double background = 0.0;       ///< grey level of what is not stripe
-  double noise = 0.0;            ///< 1-sigma of one background pixel [grey levels]
   double saturated_share = 0.0;  ///< of all pixels, 0..1
   double otsu = 0.0;             ///< Otsu's threshold [grey levels]
 };

@@ -32,7 +32,7 @@ protected:
   void refine(const ImageView& image, Workspace::Scratch& scratch) const override
   {
     PixelNoise noise;
-    noise.read = scratch.statistics.noise;
+    noise.read = scratch.finder.noise();
     if (params().fit == "maximum_likelihood")
       noise.gain = typicalGain(image, noise, scratch);
     const Levels levels = levelsOf(image, params());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
 #include "multiversion.h"
@@ -26,6 +27,17 @@ template <class Lanes>
 WELD_PROFILER_KERNEL void store(const Lanes& from, float* to)
 {
   std::memcpy(to, &from, sizeof(from));
+}
+
+/// Grey levels of neighbouring pixels.
+template <class Pixel, class Lanes>
+WELD_PROFILER_KERNEL void loadPixels(const Pixel* from, Lanes& to)
+{
+  typedef Pixel Raw __attribute__((vector_size(kLanes<Lanes> * sizeof(Pixel))));
+  typedef std::int32_t Whole __attribute__((vector_size(kLanes<Lanes> * sizeof(std::int32_t))));
+  Raw raw;
+  std::memcpy(&raw, from, sizeof(raw));
+  to = __builtin_convertvector(__builtin_convertvector(raw, Whole), Lanes);
 }
 
 template <class Kernel>

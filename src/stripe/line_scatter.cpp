@@ -13,7 +13,7 @@ struct LineScatter::Differences
   int lag;            ///< [cells]
   std::size_t least;  ///< that must be found
   std::array<double, 4> weight;
-  double (*row)(const Centre& centre);
+  std::vector<double> LineScatter::*rows;
 
   int span() const { return order * lag; }
 };
@@ -26,17 +26,6 @@ constexpr int kBlock = 64;                  ///< cells
 constexpr std::size_t kFew = 8;             ///< below, a median says less than a mean square
 constexpr double kMedianPerSigma = 0.6745;  ///< median of |x| of a normal value
 constexpr double kShareOfWidth = 0.02;      ///< between a clean stripe (0.008) and a speckle contrast of 0.1 (0.06)
-
-/// Row at which the line would cross the middle of the centre's own column.
-double rowInCell(const Centre& centre)
-{
-  return centre.v - centre.slope * (centre.u - centre.cell);
-}
-
-double initialRow(const Centre& centre)
-{
-  return centre.initial_v;
-}
 
 double meanSquare(const std::vector<Centre>& centres, double Centre::*field)
 {
@@ -65,14 +54,20 @@ void LineScatter::measure(const std::vector<Centre>& centres)
 void LineScatter::place(const std::vector<Centre>& centres)
 {
   const int first = centres.front().cell;
-  at_.assign(static_cast<std::size_t>(centres.back().cell - first) + 1, kNone);
-  piece_.resize(centres.size());
-  int piece = 0;
-  for (std::size_t i = 0; i < centres.size(); ++i)
+  const auto cells = static_cast<std::size_t>(centres.back().cell - first) + 1;
+  piece_.assign(cells, kNone);
+  variance_.assign(cells, 0.0);
+  row_.resize(cells);
+  initial_row_.resize(cells);
+  int piece = -1;
+  for (const Centre& centre : centres)
   {
-    piece += i > 0 && centres[i].starts_piece ? 1 : 0;
-    piece_[i] = piece;
-    at_[static_cast<std::size_t>(centres[i].cell - first)] = static_cast<int>(i);
+    const auto cell = static_cast<std::size_t>(centre.cell - first);
+    piece += piece < 0 || centre.starts_piece ? 1 : 0;
+    piece_[cell] = piece;
+    row_[cell] = centre.v - centre.slope * (centre.u - centre.cell);
+    initial_row_[cell] = centre.initial_v;
+    variance_[cell] = centre.read_sigma * centre.read_sigma;
   }
 }
 
@@ -80,8 +75,8 @@ void LineScatter::place(const std::vector<Centre>& centres)
 bool LineScatter::measureBlocks(const std::vector<Centre>& centres)
 {
   // 6 cells lie beyond the kernels' and the speckle's grain: the rows are independent.
-  static const Differences kRule{ 3, 6, 8, { 1.0, -3.0, 3.0, -1.0 }, rowInCell };
-  const int cells = static_cast<int>(at_.size());
+  static const Differences kRule{ 3, 6, 8, { 1.0, -3.0, 3.0, -1.0 }, &LineScatter::row_ };
+  const int cells = static_cast<int>(piece_.size());
   const int count = (cells + kBlock - 1) / kBlock;
   blocks_.assign(static_cast<std::size_t>(count), kUnknown);
   bool any = false;
@@ -89,17 +84,16 @@ bool LineScatter::measureBlocks(const std::vector<Centre>& centres)
   {
     const int begin = block * kBlock;
     const int end = std::min(cells, begin + kBlock);
-    collect(centres, kRule, begin - kRule.lag, end - kRule.lag);
+    collect(kRule, begin - kRule.lag, end - kRule.lag);
     if (differences_.size() < kRule.least)
       continue;
     double variance = 0.0;
     double held = 0.0;
     for (int cell = begin; cell < end; ++cell)
-      if (const int i = at_[static_cast<std::size_t>(cell)]; i != kNone)
-      {
-        variance += std::pow(centres[static_cast<std::size_t>(i)].read_sigma, 2.0);
-        held += 1.0;
-      }
+    {
+      variance += variance_[static_cast<std::size_t>(cell)];
+      held += piece_[static_cast<std::size_t>(cell)] != kNone ? 1.0 : 0.0;
+    }
     blocks_[static_cast<std::size_t>(block)] = beyond(scatter(kRule), variance / std::max(1.0, held));
     any = true;
   }
@@ -119,14 +113,16 @@ bool LineScatter::measureBlocks(const std::vector<Centre>& centres)
 double LineScatter::ofAShortStripe(const std::vector<Centre>& centres)
 {
   // 3 cells: beyond the speckle's grain. Second differences see curvature as scatter, and so serve the shortest only.
-  static const std::array<Differences, 3> kRules = { { { 3, 3, 4, { 1.0, -3.0, 3.0, -1.0 }, initialRow },
-                                                       { 2, 3, 1, { 1.0, -2.0, 1.0, 0.0 }, initialRow },
-                                                       { 2, 2, 1, { 1.0, -2.0, 1.0, 0.0 }, initialRow } } };
+  static const std::array<Differences, 3> kRules = {
+    { { 3, 3, 4, { 1.0, -3.0, 3.0, -1.0 }, &LineScatter::initial_row_ },
+      { 2, 3, 1, { 1.0, -2.0, 1.0, 0.0 }, &LineScatter::initial_row_ },
+      { 2, 2, 1, { 1.0, -2.0, 1.0, 0.0 }, &LineScatter::initial_row_ } }
+  };
   const double initial = meanSquare(centres, &Centre::initial_sigma);
   const double gain = initial > 0.0 ? std::sqrt(meanSquare(centres, &Centre::read_sigma) / initial) : 1.0;
   for (const Differences& rule : kRules)
   {
-    collect(centres, rule, 0, static_cast<int>(at_.size()));
+    collect(rule, 0, static_cast<int>(piece_.size()));
     if (differences_.size() >= rule.least)
       return gain * beyond(scatter(rule), initial);
   }
@@ -134,21 +130,20 @@ double LineScatter::ofAShortStripe(const std::vector<Centre>& centres)
 }
 
 /// Gathers the differences that start in cells [first, last) and lie within one piece.
-void LineScatter::collect(const std::vector<Centre>& centres, const Differences& rule, int first, int last)
+void LineScatter::collect(const Differences& rule, int first, int last)
 {
   differences_.clear();
-  for (int cell = std::max(0, first); cell < std::min(last, static_cast<int>(at_.size()) - rule.span()); ++cell)
+  const double* rows = (this->*rule.rows).data();
+  const int end = std::min(last, static_cast<int>(piece_.size()) - rule.span());
+  for (int cell = std::max(0, first); cell < end; ++cell)
   {
-    const int start = at_[static_cast<std::size_t>(cell)];
+    const int* piece = piece_.data() + cell;
     double sum = 0.0;
-    bool whole = start != kNone;
-    for (int k = 0; whole && k <= rule.order; ++k)
+    bool whole = *piece != kNone;
+    for (int k = 0; k <= rule.order; ++k)
     {
-      const int there = cell + k * rule.lag;
-      const int i = at_[static_cast<std::size_t>(there)];
-      whole = i != kNone && piece_[static_cast<std::size_t>(i)] == piece_[static_cast<std::size_t>(start)];
-      if (whole)
-        sum += rule.weight[static_cast<std::size_t>(k)] * rule.row(centres[static_cast<std::size_t>(i)]);
+      whole = whole && piece[k * rule.lag] == *piece;
+      sum += rule.weight[static_cast<std::size_t>(k)] * rows[cell + k * rule.lag];
     }
     if (whole)
       differences_.push_back(std::abs(sum));

@@ -25,12 +25,16 @@ private:
   void place(const std::vector<Centre>& centres);
   bool measureBlocks(const std::vector<Centre>& centres);
   double ofAShortStripe(const std::vector<Centre>& centres);
-  void collect(const std::vector<Centre>& centres, const Differences& rule, int first, int last);
+  void collect(const Differences& rule, int first, int last);
   double scatter(const Differences& rule);
 
-  std::vector<int> at_;     ///< index of the centre in a cell, counted from the first centre's; kNone = none
-  std::vector<int> piece_;  ///< a centre's, counted from 0
-  std::vector<double> excess_;
+  // one a cell, counted from the first centre's
+  std::vector<int> piece_;           ///< that its centre belongs to, counted from 0; kNone = no centre
+  std::vector<double> row_;          ///< at which the line crosses the middle of the cell
+  std::vector<double> initial_row_;  ///< where the centroid put it
+  std::vector<double> variance_;     ///< that the background's noise explains; 0 = no centre
+
+  std::vector<double> excess_;  ///< one a centre
   std::vector<double> blocks_;
   std::vector<double> differences_;
 };

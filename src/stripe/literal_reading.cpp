@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "detector.h"
+#include "frame_statistics.h"
 #include "kernel_choice.h"
+#include "median_filter.h"
 #include "taylor_step.h"
 
 namespace weld_profiler
@@ -43,14 +45,14 @@ bool maskedCentroid(const ImageView& image, const Levels& levels, double thresho
 }
 }  // namespace
 
-void LiteralReading::extract(const ImageView& image, const StripeHint& /*hint*/, Workspace& workspace,
+void LiteralReading::extract(const ImageView& image, const StripeHint& hint, Workspace& workspace,
                              Stripe& stripe) const
 {
   Workspace::Scratch& scratch = workspace.scratch();
   stripe.clear();
   workspace.initial.clear();
   stripe.direction = Direction::AlongU;
-  stripe.status = detectStripe(image, params_, scratch);
+  stripe.status = detectStripe(image, params_, hint, scratch);
   if (stripe.status != StripeStatus::Ok)
     return;
   const Levels levels = levelsOf(image, params_);

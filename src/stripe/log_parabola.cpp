@@ -112,7 +112,7 @@ private:
           break;
         readColumn(image, levels, centre, middle, half + beside, column);
       }
-      const Vertex vertex = vertexOf(column, middle, scratch.statistics.noise);
+      const Vertex vertex = vertexOf(column, middle, scratch.finder.noise());
       if (!vertex.found || std::abs(vertex.v - middle) <= kBetweenPixels || beside > 0)
         return vertex;
       middle += vertex.v > middle ? 1 : -1;

@@ -30,25 +30,22 @@ void finish(const StripeParams& params, const Levels& levels, Workspace& workspa
   }
 }
 
-void MethodBase::extract(const ImageView& image, const StripeHint& /*hint*/, Workspace& workspace, Stripe& stripe) const
+void MethodBase::extract(const ImageView& image, const StripeHint& hint, Workspace& workspace, Stripe& stripe) const
 {
   // The whole frame is searched in less time than it takes to make sure that a hint has not gone stale.
   Workspace::Scratch& scratch = workspace.scratch();
   stripe.clear();
   workspace.initial.clear();
   stripe.direction = Direction::AlongU;
-  stripe.status = detectStripe(image, params_, scratch);
+  stripe.status = detectStripe(image, params_, hint, scratch);
   if (stripe.status != StripeStatus::Ok)
     return;
   const Levels levels = levelsOf(image, params_);
-  scratch.centroid.measure(image, levels, scratch.statistics, weight(), scratch.seeds, scratch.centres);
-  dropLoneCentres(scratch.centres);
+  const auto saturation = static_cast<float>(levels.saturation);
+  scratch.centroid.measure({ image, leastLight(params_, levels, scratch), saturation, weight() }, scratch.track);
+  scratch.choice.choose(scratch.track, scratch.centroid.light(), image.width);
+  scratch.centroid.write(scratch.track, scratch.choice.chosen(), saturation, scratch.centres);
   measureSlopes(scratch.centres);
-  for (Centre& centre : scratch.centres)
-  {
-    centre.initial_v = centre.v;
-    centre.initial_sigma = centre.read_sigma;
-  }
   refine(image, scratch);
   finish(params_, levels, workspace, stripe);
 }

@@ -8,7 +8,7 @@ namespace weld_profiler
 ///
 /// Source: N. Otsu, "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9(1), 1979 (the paper's
 /// reference [17]). Poor for: glow, and stripes a few noise sigmas high: what it finds then is not the stripe, which is
-/// why detection also asks for local contrast.
+/// why the literal reading alone asks for it.
 /// @return 0..255; of several equal maxima the first; 0 for an empty histogram or one of a single bin.
 int otsuBin(const Histogram& histogram);
 }  // namespace weld_profiler

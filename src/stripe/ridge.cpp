@@ -22,38 +22,31 @@ public:
     Workspace::Scratch& scratch = workspace.scratch();
     workspace.initial.clear();
     stripe.direction = Direction::AlongU;
-    const Levels levels = levelsOf(image, params_);
-    ColumnTrack& track = scratch.track;
-    track.pieces.clear();
-    if (image.width >= kGroup)
-      scratch.stripe_finder.find(image, static_cast<float>(params_.min_peak_counts * levels.count), hint.last, track);
-    if (track.pieces.empty())
+    stripe.status = detectStripe(image, params_, hint, scratch);
+    if (stripe.status != StripeStatus::Ok)
     {
       stripe.clear();
       workspace.aperture.clear();
-      stripe.status = reasonForNone(image, levels, params_, scratch);
       return;
     }
-    const float noise = scratch.stripe_finder.noise();
-    ColumnMoments::locate(image, noise, track);
-    scratch.along.settle(track);
-    for (int i = 0; i < kMostPasses; ++i)
+    const Levels levels = levelsOf(image, params_);
+    ColumnTrack& track = scratch.track;
+    for (int pass = 1;; ++pass)
     {
-      ColumnMoments::measure(image, noise, track);
       scratch.along.join(track, params_.max_aperture_px);
-      if (i + 1 == kMostPasses || !scratch.along.moveReference(track))
+      if (pass == kMostPasses || !scratch.along.moveReference(track))
         break;
+      ColumnMoments::measure(image, scratch.finder.noise(), track);
     }
     RidgeCentres::Limits limits{};
-    limits.least_light = static_cast<float>(params_.min_peak_counts * levels.count);
-    limits.noise = noise;
+    limits.least = leastLight(params_, levels, scratch);
     limits.saturation = static_cast<float>(levels.saturation);
     limits.least_width = static_cast<float>(params_.min_stripe_width_px);
     limits.most_width = static_cast<float>(params_.max_stripe_width_px);
     scratch.ridge_centres.write(track, scratch.along, limits, image.width, stripe, workspace.aperture);
     if (workspace.keep_trace)
-      scratch.ridge_centres.trace(track, stripe, workspace.initial);
-    stripe.status = stripe.empty() ? reasonForNone(image, levels, params_, scratch) : StripeStatus::Ok;
+      scratch.ridge_centres.trace(track, workspace.initial);
+    stripe.status = stripe.empty() ? reasonForNone(image, params_) : StripeStatus::Ok;
   }
 
 private:

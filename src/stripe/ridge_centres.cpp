@@ -9,13 +9,9 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr float kLightOverNoise = 4.0F;  // half the chance of one false column in 30 000
-constexpr float kNearlyAsGood = 0.5F;    // light, of the better, from which a second piece in a cell is worth a flag
-constexpr float kSteepest = 2.5F;        // rows a column, between neighbouring centres: 68 deg
-constexpr float kUprightGap = 8.0F;      // columns that an upright piece may leave without a centre
-constexpr int kLeastCells = 5;           // of one piece
-constexpr int kSmallGap = 3;             // cells that may be missing inside a piece
-constexpr float kHalfPi = 1.57079625F;   // the largest float that is not beyond
+constexpr float kSteepest = 2.5F;       // rows a column, between neighbouring centres: 68 deg
+constexpr float kUprightGap = 8.0F;     // columns that an upright piece may leave without a centre
+constexpr float kHalfPi = 1.57079625F;  // the largest float that is not beyond
 
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
 WELD_PROFILER_KERNEL float arcTangent(float x)
@@ -45,7 +41,6 @@ struct Finish
   WELD_PROFILER_KERNEL static void run(In in)
   {
     const RidgeCentres::Limits limits = in.limits;
-    const float noise = kLightOverNoise * limits.noise;
     float* __restrict good = in.good;
     float* __restrict angle = in.angle;
     float* __restrict intensity = in.intensity;
@@ -75,11 +70,12 @@ struct Finish
       intensity[i] = light < room ? light : room;
       width[i] = across;
       sigma[i] = row_sigmas[i] * cosine;
-      const float bright = light >= limits.least_light ? light : 0.0F;
-      const float clear = light * light * column_width >= noise * noise ? bright : 0.0F;
+      const float bright = light >= limits.least.light ? light : 0.0F;
+      const float clear = light * light * column_width >= limits.least.square() ? bright : 0.0F;
       const float wide = across >= limits.least_width ? clear : 0.0F;
       const float narrow = across <= limits.most_width ? wide : 0.0F;
-      good[i] = held > 0.0F ? narrow : 0.0F;
+      const float visible = room > 0.0F ? narrow : 0.0F;
+      good[i] = held > 0.0F ? visible : 0.0F;
     }
     for (int i = 0; i < in.count; ++i)
       flags[i] = static_cast<std::uint8_t>((in.peak[i] >= limits.saturation ? stripe_flag::kSaturated : 0) |
@@ -88,90 +84,44 @@ struct Finish
 };
 }  // namespace
 
-/// Of two pieces that overlap in a cell the brighter stays.
-void RidgeCentres::chooseSlots(const ColumnTrack& track, int cells)
+void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const
 {
-  slots_.assign(static_cast<std::size_t>(cells), -1);
-  for (const ColumnTrack::Piece& piece : track.pieces)
-    for (int k = 0; k < piece.count; ++k)
-    {
-      const int slot = piece.slot + k;
-      if (!(good_[slot] > 0.0F))
-        continue;
-      int& chosen = slots_[piece.cell + k];
-      if (chosen >= 0)
-      {
-        const int dimmer = good_[chosen] < good_[slot] ? chosen : slot;
-        const int brighter = dimmer == slot ? chosen : slot;
-        const bool close = good_[dimmer] > kNearlyAsGood * good_[brighter];
-        flags_[brighter] |= close ? stripe_flag::kAmbiguous : 0;
-        chosen = brighter;
-      }
-      else
-        chosen = slot;
-    }
-}
-
-/// Copies what was measured in cells [first, first + count), whose slots follow one another.
-void RidgeCentres::copy(const AlongStripe& along, const Run& run, Stripe& stripe,
-                        std::vector<std::uint16_t>& aperture) const
-{
-  const auto slot = static_cast<std::ptrdiff_t>(run.slot);
-  const auto from = [&](const std::vector<float>& values, std::vector<float>& to)
-  { std::copy_n(values.begin() + slot, run.count, to.begin() + static_cast<std::ptrdiff_t>(run.to)); };
-  for (int k = 0; k < run.count; ++k)
+  const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
+  stripe.resize(chosen.size());
+  aperture.resize(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
   {
-    const std::size_t to = run.to + static_cast<std::size_t>(k);
-    stripe.cell[to] = static_cast<std::uint16_t>(run.cell + k);
-    stripe.u[to] = static_cast<float>(run.cell + k);
-    aperture[to] = static_cast<std::uint16_t>(along.aperture()[static_cast<std::size_t>(run.slot + k)]);
+    const int slot = chosen[i].slot;
+    stripe.cell[i] = static_cast<std::uint16_t>(chosen[i].cell);
+    stripe.u[i] = static_cast<float>(chosen[i].cell);
+    stripe.flags[i] = flags_[slot] | (chosen[i].ambiguous ? stripe_flag::kAmbiguous : 0);
+    aperture[i] = static_cast<std::uint16_t>(along.aperture()[slot]);
   }
-  from(along.row(), stripe.v);
-  from(angle_, stripe.normal_angle);
-  from(intensity_, stripe.intensity);
-  from(width_, stripe.width);
-  from(sigma_, stripe.sigma);
-  std::copy_n(flags_.begin() + slot, run.count, stripe.flags.begin() + static_cast<std::ptrdiff_t>(run.to));
-}
-
-/// @return how many centres were written; short pieces are not.
-std::size_t RidgeCentres::append(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const
-{
-  const int cells = static_cast<int>(slots_.size());
-  std::size_t count = 0;
-  std::size_t piece = 0;
-  int last = -kSmallGap - 2;
-  for (int cell = 0; cell < cells;)
+  // Slots that follow one another, which is nearly all of them, are copied at once.
+  for (std::size_t begin = 0, end = 0; begin < chosen.size(); begin = end)
   {
-    if (slots_[static_cast<std::size_t>(cell)] < 0)
+    for (end = begin + 1; end < chosen.size() && chosen[end].slot == chosen[end - 1].slot + 1;)
+      ++end;
+    const auto copy = [&](const std::vector<float>& values, std::vector<float>& to)
     {
-      ++cell;
-      continue;
-    }
-    if (cell - last > kSmallGap + 1)
-    {
-      count = count - piece < kLeastCells ? piece : count;
-      piece = count;
-    }
-    Run run{ cell, slots_[static_cast<std::size_t>(cell)], 1, count };
-    while (cell + run.count < cells && slots_[static_cast<std::size_t>(cell + run.count)] == run.slot + run.count)
-      ++run.count;
-    copy(along, run, stripe, aperture);
-    count += static_cast<std::size_t>(run.count);
-    cell += run.count;
-    last = cell - 1;
+      const auto from = values.begin() + chosen[begin].slot;
+      std::copy(from, from + static_cast<std::ptrdiff_t>(end - begin), to.begin() + static_cast<std::ptrdiff_t>(begin));
+    };
+    copy(along.row(), stripe.v);
+    copy(angle_, stripe.normal_angle);
+    copy(intensity_, stripe.intensity);
+    copy(width_, stripe.width);
+    copy(sigma_, stripe.sigma);
   }
-  return count - piece < kLeastCells ? piece : count;
 }
 
-void RidgeCentres::trace(const ColumnTrack& track, const Stripe& stripe, std::vector<InitialPoint>& initial) const
+void RidgeCentres::trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const
 {
-  for (std::size_t i = 0; i < stripe.size(); ++i)
+  for (const SlotChoice::Slot& chosen : choice_.chosen())
   {
-    const int slot = slots_[stripe.cell[i]];
     InitialPoint point;
-    point.u = point.block_u = stripe.u[i];
-    point.v = track.v[slot] + track.core[slot];
+    point.u = point.block_u = static_cast<float>(chosen.cell);
+    point.v = track.v[chosen.slot] + track.core[chosen.slot];
     point.block_v = std::round(point.v);
     initial.push_back(point);
   }
@@ -215,12 +165,8 @@ void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, con
                        sigma_.data(),
                        flags_.data() };
   dispatch<Finish>(in);
-  chooseSlots(track, cells);
-  stripe.resize(static_cast<std::size_t>(cells));
-  aperture.resize(static_cast<std::size_t>(cells));
-  const std::size_t count = append(along, stripe, aperture);
-  stripe.resize(count);
-  aperture.resize(count);
+  choice_.choose(track, good_, cells);
+  fill(along, stripe, aperture);
   flagSteepLinks(stripe);
 }
 }  // namespace weld_profiler

@@ -5,6 +5,7 @@
 
 #include "along_stripe.h"
 #include "column_track.h"
+#include "slot_choice.h"
 #include "weld_profiler/core/stripe.h"
 #include "weld_profiler/stripe/workspace.h"
 
@@ -17,8 +18,7 @@ class RidgeCentres
 public:
   struct Limits
   {
-    float least_light;  ///< [grey levels]
-    float noise;        ///< 1-sigma of one pixel [grey levels]
+    LeastLight least;
     float saturation;   ///< grey level at which pixels clip
     float least_width;  ///< [px]
     float most_width;   ///< [px]
@@ -30,21 +30,14 @@ public:
              std::vector<std::uint16_t>& aperture);
 
   /// Where the columns were measured about: the line that was found, before it was joined.
-  void trace(const ColumnTrack& track, const Stripe& stripe, std::vector<InitialPoint>& initial) const;
+  void trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const;
 
 private:
-  void chooseSlots(const ColumnTrack& track, int cells);
   static void flagSteepLinks(Stripe& stripe);
-  struct Run
-  {
-    int cell, slot, count;
-    std::size_t to;
-  };
-  void copy(const AlongStripe& along, const Run& run, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
-  std::size_t append(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
+  void fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
 
   std::vector<float> good_, angle_, intensity_, width_, sigma_;
   std::vector<std::uint8_t> flags_;
-  std::vector<int> slots_;  ///< of each cell; -1 = none
+  SlotChoice choice_;
 };
 }  // namespace weld_profiler

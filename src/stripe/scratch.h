@@ -4,18 +4,17 @@
 #include <vector>
 
 #include "along_stripe.h"
-#include "candidates.h"
 #include "centre_line.h"
 #include "centroid.h"
 #include "channel.h"
 #include "column_moments.h"
-#include "continuity.h"
 #include "derivatives.h"
-#include "ridge_centres.h"
-#include "stripe_finder.h"
-#include "site_normals.h"
-#include "taylor_step.h"
 #include "gray_column.h"
+#include "ridge_centres.h"
+#include "site_normals.h"
+#include "slot_choice.h"
+#include "stripe_finder.h"
+#include "taylor_step.h"
 #include "weld_profiler/stripe/workspace.h"
 
 namespace weld_profiler
@@ -30,20 +29,16 @@ struct Workspace::Scratch
   std::vector<InitialPoint> other_initial;
 
   // detection
-  FrameStatistics statistics;
-  CandidateFinder finder;
-  CandidateList candidates;
-  ContinuityTracker tracker;
-  std::vector<Seed> seeds;
-
-  // ridge
-  StripeFinder stripe_finder;
+  StripeFinder finder;
   ColumnTrack track;
   AlongStripe along;
+
+  // ridge
   RidgeCentres ridge_centres;
 
   // estimation
   ColumnCentroid centroid;
+  SlotChoice choice;
   std::vector<Centre> centres;
   LineScatter scatter;
   DerivativeKernel kernel;

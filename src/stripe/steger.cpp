@@ -21,7 +21,7 @@ protected:
     scratch.sites.clear();
     for (std::size_t i = 0; i < scratch.centres.size(); ++i)
       scratch.sites.push_back(Site{ i, scratch.centres[i].cell, nearestPixel(scratch.centres[i].v) });
-    scratch.steps.settle({ image, scratch.kernel, nullptr, scratch.statistics.noise }, scratch.sites, scratch.centres);
+    scratch.steps.settle({ image, scratch.kernel, nullptr, scratch.finder.noise() }, scratch.sites, scratch.centres);
   }
 };
 }  // namespace

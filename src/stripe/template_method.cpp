@@ -16,7 +16,7 @@ void TemplateMethod::refine(const ImageView& image, Workspace::Scratch& scratch)
       scratch.sites.push_back(Site{ i, block.u, block.v });
   }
   (scratch.normals.*normals_)(image, levelsOf(image, params()), scratch.sites);
-  scratch.steps.settle({ image, scratch.kernel, &scratch.normals, scratch.statistics.noise }, scratch.sites,
+  scratch.steps.settle({ image, scratch.kernel, &scratch.normals, scratch.finder.noise() }, scratch.sites,
                        scratch.centres);
 }
 }  // namespace weld_profiler

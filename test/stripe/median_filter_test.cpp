@@ -42,43 +42,32 @@ class MedianFilter : public ::testing::TestWithParam<std::tuple<int, int>>
 {
 };
 
-TEST_P(MedianFilter, OfTilesAndOfTheWholeFrameIsTheMedianOfEachNeighbourhood)
+TEST_P(MedianFilter, IsTheMedianOfEachNeighbourhood)
 {
   const auto [size, bit_depth] = GetParam();
   const Picture picture = noise(151, 37, bit_depth);
   std::vector<std::uint8_t> memory;
   ImageView whole;
   medianFilter(picture.view(), size, memory, whole);
-  TiledMedian tiles;
-  tiles.reset(picture.view(), size);
-  for (int u = 0; u < picture.width; u += TiledMedian::kTileColumns)
-    for (int block = 0; block * TiledMedian::kTileRows < picture.height; ++block)
-      if (u != TiledMedian::kTileColumns || block != 2)
-        tiles.request(u, block);
-  tiles.filter();
-  int compared = 0;
+  ASSERT_EQ(whole.width, picture.width);
+  ASSERT_EQ(whole.height, picture.height);
   for (int v = 0; v < picture.height; ++v)
     for (int u = 0; u < picture.width; ++u)
-    {
       ASSERT_EQ(level(whole, u, v), bruteForceMedian(picture, u, v, size)) << u << ", " << v;
-      if (u / TiledMedian::kTileColumns == 1 && v / TiledMedian::kTileRows == 2)
-        continue;
-      ASSERT_EQ(level(tiles.filtered(), u, v), level(whole, u, v)) << u << ", " << v;
-      ++compared;
-    }
-  EXPECT_GT(compared, 5000);
 }
 
 INSTANTIATE_TEST_SUITE_P(SizesAndDepths, MedianFilter,
                          ::testing::Combine(::testing::Values(3, 5), ::testing::Values(8, 16)));
 
-TEST(MedianFilter, OfSizeZeroLooksAtTheImageItself)
+TEST(MedianFilter, OfSizeZeroCopies)
 {
   const Picture picture = noise(20, 20, 8);
-  TiledMedian tiles;
-  tiles.reset(picture.view(), 0);
-  tiles.filter();
-  EXPECT_EQ(tiles.filtered().data, picture.view().data);
+  std::vector<std::uint8_t> memory;
+  ImageView whole;
+  medianFilter(picture.view(), 0, memory, whole);
+  for (int v = 0; v < picture.height; ++v)
+    for (int u = 0; u < picture.width; ++u)
+      ASSERT_EQ(level(whole, u, v), picture.at(u, v));
 }
 }  // namespace
 }  // namespace weld_profiler

@@ -20,7 +20,7 @@ struct StripeParams
   double max_stripe_width_px = 12.0;        ///< widest stripe accepted, 1-sigma half width [px]
   double min_peak_counts = 6.0;             ///< weakest peak accepted, above background [DN8], 1..255
   double saturation_level = 0.0;            ///< grey level at which pixels clip; 0 = the container's largest value
-  int median_size_px = 3;         ///< median filter used to detect, and by `literal` to estimate: 0 = off, 3, 5
+  int median_size_px = 3;                   ///< median filter of the literal reading alone: 0 = off, 3, 5
   double hessian_sigma_px = 0.0;  ///< Gaussian of the derivatives, 0.5..20 [px]; 0 = 1.155 times the stripe's width
   std::string derivatives = "gaussian";  ///< of svd and pca: gaussian, sobel (the paper)
   std::string taylor = "sound";          ///< sound: expanded where the derivatives are taken; literal: the paper's text

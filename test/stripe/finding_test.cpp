@@ -42,7 +42,7 @@ Outcome judge(const StripePicture& scene, const Stripe& stripe)
   return outcome;
 }
 
-TEST(Continuity, KeepsToTheStripeAmongSpatterGhostAndGlow)
+TEST(Finding, KeepsToTheStripeAmongSpatterGhostAndGlow)
 {
   StripePicture scene = lineScene();
   scene.ambient = [](double u, double v)
@@ -74,7 +74,7 @@ TEST(Continuity, KeepsToTheStripeAmongSpatterGhostAndGlow)
   }
 }
 
-TEST(Continuity, IsNotDisturbedByPepperNoise)
+TEST(Finding, IsNotDisturbedByPepperNoise)
 {
   const StripePicture scene = lineScene();
   Picture picture = render(scene);
@@ -85,13 +85,13 @@ TEST(Continuity, IsNotDisturbedByPepperNoise)
       if (chance(random) < 0.003)
         picture.set(u, v, chance(random) < 0.5 ? 255.0 : 0.0);
   const Outcome outcome = judge(scene, extract(paramsOf("squared_centroid"), picture));
-  // The median keeps single pixels out of detection; one in the window of 13 still pulls the centroid (4 % of the
-  // columns).
+  // Sums over 8 columns keep single pixels out of detection; one in the window of 13 still pulls the centroid (4 % of
+  // the columns).
   EXPECT_LE(outcome.off, 0.01);
   EXPECT_LE(outcome.missing, 0.02);
 }
 
-TEST(Continuity, DropsACentroidThatLeavesItsStripe)
+TEST(Finding, DropsACentroidThatLeavesItsStripe)
 {
   // Blobs four times as bright as the stripe, just outside its window.
   StripePicture scene = lineScene();
@@ -114,7 +114,7 @@ TEST(Continuity, DropsACentroidThatLeavesItsStripe)
   }
 }
 
-TEST(Continuity, TakesAStepAndBothItsSides)
+TEST(Finding, TakesAStepAndBothItsSides)
 {
   StripePicture scene = lineScene();
   scene.row = [](double u) { return u < 300.0 ? 120.0 : 190.0; };
@@ -125,7 +125,7 @@ TEST(Continuity, TakesAStepAndBothItsSides)
     EXPECT_NEAR(stripe.v[i], stripe.cell[i] < 300 ? 120.0 : 190.0, 0.2);
 }
 
-TEST(Continuity, FindsAStripeOfTwentyGreyLevelsInNoiseOfTwo)
+TEST(Finding, FindsAStripeOfTwentyGreyLevelsInNoiseOfTwo)
 {
   StripePicture scene = lineScene();
   scene.peak = 20.0;
@@ -135,7 +135,7 @@ TEST(Continuity, FindsAStripeOfTwentyGreyLevelsInNoiseOfTwo)
   EXPECT_LE(outcome.missing, 0.02);
 }
 
-TEST(Continuity, FindsAStripeOfThirtyGreyLevelsInNoiseOfFive)
+TEST(Finding, FindsAStripeOfThirtyGreyLevelsInNoiseOfFive)
 {
   // Otsu's mask then holds 41 % of the frame: the local contrast has to decide.
   StripePicture scene = lineScene();
