@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "line_checks.h"
 #include "normal_angle.h"
 
 namespace weld_profiler
@@ -10,7 +11,6 @@ namespace weld_profiler
 namespace
 {
 constexpr int kSlopeCells = 5;
-constexpr double kUncertain = 2.5;   ///< rows a column, 68 deg; beyond, a column looks along the stripe, not across it
 constexpr double kBroken = 4.0;      ///< rows a column, 76 deg; no slope is taken across
 
 /// Whether the line runs steeper than that from one centre to the next of its piece. [rows a column]
@@ -74,11 +74,6 @@ void measureSlopes(std::vector<Centre>& centres)
       ++end;
     measureSlopes(centres, begin, end);
   }
-  for (std::size_t i = 1; i < centres.size(); ++i)
-    if (!centres[i].starts_piece && isSteeper(kUncertain, centres[i - 1], centres[i]))
-      // ... and the columns beside, which see the end of the steep piece.
-      for (std::size_t j = i - std::min<std::size_t>(i, 2); j <= std::min(i + 1, centres.size() - 1); ++j)
-        centres[j].ambiguous = true;
 }
 
 void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter, const StripeParams& params,
@@ -107,5 +102,7 @@ void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter,
       stripe.set(kept++, point);
   }
   stripe.resize(kept);
+  dropLoneCentres(stripe);
+  flagSteepLinks(stripe);
 }
 }  // namespace weld_profiler

@@ -15,6 +15,7 @@ constexpr float kUnknown = 1e9F;
 constexpr double kOutlier = 3.5;  // mean magnitudes
 constexpr double kTypical = 2.0;  // a stretch is not trusted to be rougher than that many typical ones
 constexpr double kFew = 4.0;
+constexpr float kLeast = 1e-9F;  // [px^2]
 constexpr double kEnough = 24.0;
 constexpr int kNeighbours = 2;       // stretches on either side that are asked as well, by less and less
 constexpr double kCorrelated = 3.0;  // differences of means over common columns: so many count as one
@@ -225,8 +226,6 @@ double ControlVariates::typicalMagnitude()
 StretchScatter ControlVariates::solve(const Moments& sum)
 {
   StretchScatter result;
-  if (sum.count < kFew)
-    return result;
   double feigned = 0.0;
   double flanks = 0.0;
   const double determinant = sum.ff * sum.dd - sum.fd * sum.fd;
@@ -242,7 +241,6 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   flanks = sure(flanks, sum.dd, rest);
   const double left = sum.ee + feigned * feigned * sum.ff + flanks * flanks * sum.dd - 2.0 * feigned * sum.ef +
                       2.0 * flanks * sum.ed - 2.0 * feigned * flanks * sum.fd;
-  constexpr double kLeast = 1e-9;
   result.feigned = static_cast<float>(feigned);
   result.flanks = static_cast<float>(flanks);
   const Explained noise = explained(sum);
@@ -252,11 +250,30 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   result.variance = static_cast<float>((seen > kOutline * noise.most ? noise.most : seen) + kLeast);
   const double speckle = std::min(1.0, flanks / kSpeckleShare);
   result.told = static_cast<float>(std::min(seen, (kLikely + kSpeckled * speckle) * noise.likely) + kLeast);
-  const double alike = 3.0 * seen / std::max(kLeast, sum.fine / sum.count);
+  const double alike = 3.0 * seen / std::max<double>(kLeast, sum.fine / sum.count);
   result.grain =
       static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * speckle * (alike - 1.0), 1.0, kMostGrain));
   result.lean = static_cast<float>(sum.lean / sum.count);
   result.difference = static_cast<float>(sum.dd / sum.count + kLeast);
+  return result;
+}
+
+/// Of pieces too short for fifth differences six columns apart: what neighbours say, or nothing for sure.
+StretchScatter ControlVariates::ofShortPieces(const Means& means) const
+{
+  constexpr float kNothingKnown = 0.01F;  // [px^2]
+  constexpr float kWhole = 2.5F;
+  float sum = 0.0F;
+  float count = 0.0F;
+  for (int i = kReach; i < count_ - kReach; ++i)
+    if (means.columns[i - 1] > kWhole && means.columns[i + 2] > kWhole)
+    {
+      sum += fine_[static_cast<std::size_t>(i)] * fine_[static_cast<std::size_t>(i)];
+      count += 1.0F;
+    }
+  StretchScatter result;
+  result.variance = result.told = count > 0.0F ? sum / count / 3.0F + kLeast : kNothingKnown;
+  result.difference = kUnknown;  // flanks and core may differ: no one knows how much they do by themselves
   return result;
 }
 
@@ -292,7 +309,7 @@ void ControlVariates::learn(const Means& means)
       for (int j = std::max(0, i - reach); j <= std::min(stretches - 1, i + reach); ++j)
         sum.add(moments_[static_cast<std::size_t>(j)], 1.0 - std::abs(j - i) / (reach + 1.0));
     }
-    stretches_[static_cast<std::size_t>(i)] = solve(sum);
+    stretches_[static_cast<std::size_t>(i)] = sum.count < kFew ? ofShortPieces(means) : solve(sum);
   }
 }
 }  // namespace weld_profiler

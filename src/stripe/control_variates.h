@@ -59,6 +59,7 @@ private:
   };
   static Explained explained(const Moments& sum);
   static StretchScatter solve(const Moments& sum);
+  StretchScatter ofShortPieces(const Means& means) const;
 
   std::vector<StretchScatter> stretches_;
   std::vector<float> rough_, rough_feigned_, rough_difference_, rough_light_, fine_;

@@ -33,8 +33,11 @@ StripeStatus detectStripe(const ImageView& image, const StripeParams& params, co
 {
   ColumnTrack& track = scratch.track;
   track.pieces.clear();
+  const Levels levels = levelsOf(image, params);
+  const StripeFinder::Settings settings{ static_cast<float>(params.min_peak_counts * levels.count),
+                                         static_cast<float>(levels.count) };
   if (image.width >= kGroup)
-    scratch.finder.find(image, leastLight(params, levelsOf(image, params), scratch).light, hint.last, track);
+    scratch.finder.find(image, settings, hint.last, track);
   if (track.pieces.empty())
     return reasonForNone(image, params);
   const float noise = scratch.finder.noise();

@@ -32,7 +32,6 @@ void finish(const StripeParams& params, const Levels& levels, Workspace& workspa
 
 void MethodBase::extract(const ImageView& image, const StripeHint& hint, Workspace& workspace, Stripe& stripe) const
 {
-  // The whole frame is searched in less time than it takes to make sure that a hint has not gone stale.
   Workspace::Scratch& scratch = workspace.scratch();
   stripe.clear();
   workspace.initial.clear();

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "line_checks.h"
 #include "multiversion.h"
 
 namespace weld_profiler
 {
 namespace
 {
-constexpr float kSteepest = 2.5F;       // rows a column, between neighbouring centres: 68 deg
-constexpr float kUprightGap = 8.0F;     // columns that an upright piece may leave without a centre
 constexpr float kHalfPi = 1.57079625F;  // the largest float that is not beyond
 
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
@@ -124,21 +123,6 @@ void RidgeCentres::trace(const ColumnTrack& track, std::vector<InitialPoint>& in
     point.v = track.v[chosen.slot] + track.core[chosen.slot];
     point.block_v = std::round(point.v);
     initial.push_back(point);
-  }
-}
-
-/// Where the line goes on nearly upright, several centres belong in a column: those next to it are not to be trusted.
-void RidgeCentres::flagSteepLinks(Stripe& stripe)
-{
-  constexpr std::size_t kBeside = 3;
-  const std::size_t count = stripe.size();
-  for (std::size_t i = 1; i < count; ++i)
-  {
-    const float columns = stripe.u[i] - stripe.u[i - 1];
-    if (!(std::abs(stripe.v[i] - stripe.v[i - 1]) > kSteepest * columns) || columns > kUprightGap)
-      continue;
-    for (std::size_t k = i > kBeside ? i - kBeside : 0; k < std::min(count, i + kBeside); ++k)
-      stripe.flags[k] |= stripe_flag::kAmbiguous;
   }
 }
 

@@ -33,7 +33,6 @@ public:
   void trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const;
 
 private:
-  static void flagSteepLinks(Stripe& stripe);
   void fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
 
   std::vector<float> good_, angle_, intensity_, width_, sigma_;
