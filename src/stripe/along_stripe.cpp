@@ -79,8 +79,8 @@ void AlongStripe::meanSlopes()
   sum(SpareB, 1, SpareA);
   sum(SpareA, 3, SpareB);
   sum(SpareB, 9, SpareC);
-  dispatch<MeanSlope>(at(SpareB), at(Sum9), slots_, at(Slope9));
-  dispatch<MeanSlope>(at(SpareC), at(Sum27), slots_, at(Slope27));
+  dispatch<MeanHeld>(at(SpareB), at(Sum9), slots_, at(Slope9));
+  dispatch<MeanHeld>(at(SpareC), at(Sum27), slots_, at(Slope27));
 }
 
 void AlongStripe::meanAlong()
@@ -101,9 +101,10 @@ void AlongStripe::join(const ColumnTrack& track, int max_aperture)
   meanSlopes();
   sum(Offset, 1, SpareA);
   dispatch<MeanOf>(at(SpareA), at(Sum3), at(Lever3), slope_.data(), slots_, at(Mean3));
-  dispatch<MeanOfThree>(at(Feigned), slots_, at(Feigned3));
-  dispatch<MeanOfThree>(at(Difference), slots_, at(Difference3));
-  dispatch<MeanOfThree>(track.light.data(), slots_, at(Light3));
+  sum(Feigned, 1, SpareA);
+  dispatch<MeanHeld>(at(SpareA), at(Sum3), slots_, at(Feigned3));
+  sum(Difference, 1, SpareA);
+  dispatch<MeanHeld>(at(SpareA), at(Sum3), slots_, at(Difference3));
   variates_.learn(ControlVariates::Means{ at(Mean3), at(Feigned3), at(Difference3), track.light.data(), at(Sum3), at(Offset),
                                           track.sigma.data(), slots_ });
   const auto stretches = static_cast<int>(variates_.stretches().size());

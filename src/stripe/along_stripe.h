@@ -56,7 +56,6 @@ private:
     Mean9,
     Mean27,  // rows
     Feigned3,
-    Light3,
     Difference3,  // means over three columns
     Bend,         // second derivative of the line
     Square9,

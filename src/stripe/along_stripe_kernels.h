@@ -22,15 +22,6 @@ struct SumOfThree
   }
 };
 
-struct MeanOfThree
-{
-  WELD_PROFILER_KERNEL static void run(const float* __restrict values, int count, float* __restrict mean)
-  {
-    for (int i = 1; i < count - 1; ++i)
-      mean[i] = (values[i - 1] + values[i] + values[i + 1]) * (1.0F / 3.0F);
-  }
-};
-
 struct LeverOfOne
 {
   WELD_PROFILER_KERNEL static void run(const float* __restrict weights, int count, float* __restrict lever)
@@ -67,14 +58,14 @@ struct MeanOf
   }
 };
 
-/// Mean slope of the columns held.
-struct MeanSlope
+/// Mean of the columns held.
+struct MeanHeld
 {
   WELD_PROFILER_KERNEL static void run(const float* __restrict sum, const float* __restrict weights, int count,
-                                       float* __restrict slope)
+                                       float* __restrict mean)
   {
     for (int i = 0; i < count; ++i)
-      slope[i] = sum[i] / (weights[i] > 1.0F ? weights[i] : 1.0F);
+      mean[i] = sum[i] / (weights[i] > 1.0F ? weights[i] : 1.0F);
   }
 };
 

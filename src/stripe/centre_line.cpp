@@ -103,6 +103,6 @@ void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter,
   }
   stripe.resize(kept);
   dropLoneCentres(stripe);
-  flagSteepLinks(stripe);
+  checkUprightLinks(stripe);
 }
 }  // namespace weld_profiler

@@ -83,18 +83,25 @@ struct Finish
 };
 }  // namespace
 
+void RidgeCentres::fillAperture(const AlongStripe& along, std::vector<std::uint16_t>& aperture) const
+{
+  const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
+  aperture.resize(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    aperture[i] = static_cast<std::uint16_t>(along.aperture()[chosen[i].slot]);
+}
+
 void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const
 {
   const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
   stripe.resize(chosen.size());
-  aperture.resize(chosen.size());
+  fillAperture(along, aperture);
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     const int slot = chosen[i].slot;
     stripe.cell[i] = static_cast<std::uint16_t>(chosen[i].cell);
     stripe.u[i] = static_cast<float>(chosen[i].cell);
     stripe.flags[i] = flags_[slot] | (chosen[i].ambiguous ? stripe_flag::kAmbiguous : 0);
-    aperture[i] = static_cast<std::uint16_t>(along.aperture()[slot]);
   }
   // Slots that follow one another, which is nearly all of them, are copied at once.
   for (std::size_t begin = 0, end = 0; begin < chosen.size(); begin = end)
@@ -151,6 +158,10 @@ void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, con
   dispatch<Finish>(in);
   choice_.choose(track, good_, cells);
   fill(along, stripe, aperture);
-  flagSteepLinks(stripe);
+  checkUprightLinks(stripe);
+  if (stripe.size() == aperture.size())
+    return;
+  choice_.keep(stripe.cell);
+  fillAperture(along, aperture);
 }
 }  // namespace weld_profiler

@@ -33,6 +33,7 @@ public:
   void trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const;
 
 private:
+  void fillAperture(const AlongStripe& along, std::vector<std::uint16_t>& aperture) const;
   void fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
 
   std::vector<float> good_, angle_, intensity_, width_, sigma_;

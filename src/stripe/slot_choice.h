@@ -38,6 +38,10 @@ public:
   /// @param cells  columns of the image.
   void choose(const ColumnTrack& track, const std::vector<float>& light, int cells);
 
+  /// Leaves all but these cells out.
+  /// @param cells  rising; each was chosen.
+  void keep(const std::vector<std::uint16_t>& cells);
+
   /// In rising cells.
   const std::vector<Slot>& chosen() const { return chosen_; }
 
