@@ -10,13 +10,11 @@ namespace weld_profiler
 namespace
 {
 constexpr int kSlopeCells = 5;
-constexpr double kUncertain = 2.5;   ///< rows a column, 68 deg; beyond, a column looks along the stripe, not across it
-constexpr double kBroken = 4.0;      ///< rows a column, 76 deg; no slope is taken across
+constexpr double kBroken = 4.0;  ///< rows a column, 76 deg; no slope is taken across
 
-/// Whether the line runs steeper than that from one centre to the next of its piece. [rows a column]
-bool isSteeper(double limit, const Centre& a, const Centre& b)
+bool isBroken(const Centre& a, const Centre& b)
 {
-  return std::abs(b.v - a.v) > limit * (b.cell - a.cell);
+  return std::abs(b.v - a.v) > kBroken * (b.cell - a.cell);
 }
 
 /// Sums over the centres of a window that slides along a piece, columns and rows counted from the piece's first.
@@ -69,16 +67,11 @@ void measureSlopes(std::vector<Centre>& centres)
 {
   for (std::size_t begin = 0, end = 0; begin < centres.size(); begin = end)
   {
-    for (end = begin + 1; end < centres.size() && !centres[end].starts_piece &&
-                          !isSteeper(kBroken, centres[end - 1], centres[end]);)
+    for (end = begin + 1;
+         end < centres.size() && !centres[end].starts_piece && !isBroken(centres[end - 1], centres[end]);)
       ++end;
     measureSlopes(centres, begin, end);
   }
-  for (std::size_t i = 1; i < centres.size(); ++i)
-    if (!centres[i].starts_piece && isSteeper(kUncertain, centres[i - 1], centres[i]))
-      // ... and the columns beside, which see the end of the steep piece.
-      for (std::size_t j = i - std::min<std::size_t>(i, 2); j <= std::min(i + 1, centres.size() - 1); ++j)
-        centres[j].ambiguous = true;
 }
 
 void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter, const StripeParams& params,

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "multiversion.h"
+#include "steep_links.h"
 
 namespace weld_profiler
 {
 namespace
 {
-constexpr float kSteepest = 2.5F;       // rows a column, between neighbouring centres: 68 deg
-constexpr float kUprightGap = 8.0F;     // columns that an upright piece may leave without a centre
-constexpr float kHalfPi = 1.57079625F;  // the largest float that is not beyond
+constexpr std::size_t kBesideUpright = 3;  // centres
+constexpr float kHalfPi = 1.57079625F;     // the largest float that is not beyond
 
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
 WELD_PROFILER_KERNEL float arcTangent(float x)
@@ -21,8 +21,8 @@ WELD_PROFILER_KERNEL float arcTangent(float x)
   const float argument = size > 1.0F ? inverse : size;
   const float square = argument * argument;
   const float angle =
-      argument * (0.999866F +
-                  square * (-0.3302995F + square * (0.180141F + square * (-0.085133F + square * 0.0208351F))));
+      argument *
+      (0.999866F + square * (-0.3302995F + square * (0.180141F + square * (-0.085133F + square * 0.0208351F))));
   const float rest = kHalfPi - angle;
   const float whole = size > 1.0F ? rest : angle;
   return __builtin_copysignf(whole, x);
@@ -33,14 +33,14 @@ struct Finish
   struct In
   {
     int count;
-    RidgeCentres::Limits limits;
+    StripeLimits limits;
     const float *slope, *row_sigma, *columns, *light, *column_width, *background, *peak, *ambiguous;
     float *good, *angle, *intensity, *width, *sigma;
     std::uint8_t* flags;
   };
   WELD_PROFILER_KERNEL static void run(In in)
   {
-    const RidgeCentres::Limits limits = in.limits;
+    const StripeLimits limits = in.limits;
     float* __restrict good = in.good;
     float* __restrict angle = in.angle;
     float* __restrict intensity = in.intensity;
@@ -70,8 +70,8 @@ struct Finish
       intensity[i] = light < room ? light : room;
       width[i] = across;
       sigma[i] = row_sigmas[i] * cosine;
-      const float bright = light >= limits.least.light ? light : 0.0F;
-      const float clear = light * light * column_width >= limits.least.square() ? bright : 0.0F;
+      const float bright = light >= limits.least_light ? light : 0.0F;
+      const float clear = light * light * column_width >= limits.leastSquare() ? bright : 0.0F;
       const float wide = across >= limits.least_width ? clear : 0.0F;
       const float narrow = across <= limits.most_width ? wide : 0.0F;
       const float visible = room > 0.0F ? narrow : 0.0F;
@@ -127,22 +127,7 @@ void RidgeCentres::trace(const ColumnTrack& track, std::vector<InitialPoint>& in
   }
 }
 
-/// Where the line goes on nearly upright, several centres belong in a column: those next to it are not to be trusted.
-void RidgeCentres::flagSteepLinks(Stripe& stripe)
-{
-  constexpr std::size_t kBeside = 3;
-  const std::size_t count = stripe.size();
-  for (std::size_t i = 1; i < count; ++i)
-  {
-    const float columns = stripe.u[i] - stripe.u[i - 1];
-    if (!(std::abs(stripe.v[i] - stripe.v[i - 1]) > kSteepest * columns) || columns > kUprightGap)
-      continue;
-    for (std::size_t k = i > kBeside ? i - kBeside : 0; k < std::min(count, i + kBeside); ++k)
-      stripe.flags[k] |= stripe_flag::kAmbiguous;
-  }
-}
-
-void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, const Limits& limits, int cells,
+void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, const StripeLimits& limits, int cells,
                          Stripe& stripe, std::vector<std::uint16_t>& aperture)
 {
   for (std::vector<float>* field : { &good_, &angle_, &intensity_, &width_, &sigma_ })
@@ -167,6 +152,6 @@ void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, con
   dispatch<Finish>(in);
   choice_.choose(track, good_, cells);
   fill(along, stripe, aperture);
-  flagSteepLinks(stripe);
+  flagSteepLinks(stripe, kBesideUpright);
 }
 }  // namespace weld_profiler
