@@ -17,7 +17,7 @@ struct CentroidLimits
   static constexpr float kNarrowest = 0.6F;     // [px]
   static constexpr float kAstraySigmas =
       2.0F;                              // from the track's line; a centroid that went farther follows something else
-  static constexpr float kWider = 1.4F;  // than the track; a window full of even light has 1.7
+  static constexpr float kWider = 1.3F;  // than the track; a window full of even light has 1.7
   static constexpr int kIterations = 4;
   static constexpr float kSettled = 2e-4F;  // [px]
 };
