@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "line_checks.h"
 #include "normal_angle.h"
 
 namespace weld_profiler
@@ -11,12 +10,11 @@ namespace weld_profiler
 namespace
 {
 constexpr int kSlopeCells = 5;
-constexpr double kBroken = 4.0;      ///< rows a column, 76 deg; no slope is taken across
+constexpr double kBroken = 4.0;  ///< rows a column, 76 deg; no slope is taken across
 
-/// Whether the line runs steeper than that from one centre to the next of its piece. [rows a column]
-bool isSteeper(double limit, const Centre& a, const Centre& b)
+bool isBroken(const Centre& a, const Centre& b)
 {
-  return std::abs(b.v - a.v) > limit * (b.cell - a.cell);
+  return std::abs(b.v - a.v) > kBroken * (b.cell - a.cell);
 }
 
 /// Sums over the centres of a window that slides along a piece, columns and rows counted from the piece's first.
@@ -69,8 +67,8 @@ void measureSlopes(std::vector<Centre>& centres)
 {
   for (std::size_t begin = 0, end = 0; begin < centres.size(); begin = end)
   {
-    for (end = begin + 1; end < centres.size() && !centres[end].starts_piece &&
-                          !isSteeper(kBroken, centres[end - 1], centres[end]);)
+    for (end = begin + 1;
+         end < centres.size() && !centres[end].starts_piece && !isBroken(centres[end - 1], centres[end]);)
       ++end;
     measureSlopes(centres, begin, end);
   }
@@ -102,7 +100,5 @@ void writeStripe(const std::vector<Centre>& centres, const LineScatter& scatter,
       stripe.set(kept++, point);
   }
   stripe.resize(kept);
-  dropLoneCentres(stripe);
-  checkUprightLinks(stripe);
 }
 }  // namespace weld_profiler

@@ -13,8 +13,7 @@ void ColumnCentroid::measure(const Task& task, const ColumnTrack& track)
     const auto slot = static_cast<std::size_t>(piece.slot);
     const auto at = [&](Array array) { return arrays_[array].data() + slot; };
     const CentroidStrip strip{ task.image,
-                               task.least,
-                               task.saturation,
+                               task.limits,
                                piece.cell,
                                piece.count,
                                &track.v[slot],

@@ -6,6 +6,7 @@
 #include "centre.h"
 #include "pixels.h"
 #include "slot_choice.h"
+#include "stripe_limits.h"
 
 namespace weld_profiler
 {
@@ -29,13 +30,12 @@ public:
   struct Task
   {
     const ImageView& image;
-    LeastLight least;
-    float saturation;  ///< grey level at which pixels clip
+    StripeLimits limits;
     CentroidWeight weight;
   };
 
-  /// Several columns at once. Those that are too dim, too close to the image's edge or whose centroid leaves the stripe
-  /// have no light afterwards.
+  /// Several columns at once. Those that are too dim, too narrow or wide, too close to the image's edge or whose
+  /// centroid leaves the stripe have no light afterwards.
   void measure(const Task& task, const ColumnTrack& track);
 
   /// Of each slot; 0 = no centroid.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lanes.h"
-#include "slot_choice.h"
+#include "stripe_limits.h"
 #include "weld_profiler/core/image.h"
 
 namespace weld_profiler
@@ -16,7 +16,8 @@ struct CentroidLimits
   static constexpr float kLeastSigmas = 1.2F;   // of the stripe that must lie inside the image on either side
   static constexpr float kNarrowest = 0.6F;     // [px]
   static constexpr float kAstraySigmas =
-      2.0F;  // from the track's line; a centroid that went farther follows something else
+      2.0F;                              // from the track's line; a centroid that went farther follows something else
+  static constexpr float kWider = 1.3F;  // than the track; a window full of even light has 1.7
   static constexpr int kIterations = 4;
   static constexpr float kSettled = 2e-4F;  // [px]
 };
@@ -24,8 +25,7 @@ struct CentroidLimits
 struct CentroidStrip
 {
   ImageView image;
-  LeastLight least;
-  float saturation;
+  StripeLimits limits;
   int cell;   // first column
   int count;  // columns
   const float *v, *sigma, *background, *gradient, *track_light, *track_weight;
@@ -149,14 +149,14 @@ struct MeasureCentroids
                                         const CentroidSums<Lanes>& sums)
   {
     constexpr float kSqrtPi = 1.7724539F;
+    constexpr int kSide = 4;  // columns that the slope is told from, either side
     Lanes light, measured;
     load(strip.track_light + first, light);
     load(strip.track_weight + first, measured);
     const Lanes far = CentroidLimits::kAstraySigmas * at.sigma;
     const auto stayed = (at.shift <= far) & (at.shift >= -far) & (at.half >= CentroidLimits::kLeastSigmas * at.sigma);
     const auto there = (measured > 0.0F) & (sums.weight > 0.0F) & (sums.second > 0.0F);
-    const auto bright = (light >= strip.least.light) & (light * light * at.sigma >= strip.least.square());
-    light = (stayed & there & bright) ? light : Lanes{};
+    const auto bright = (light >= strip.limits.least_light) & (light * light * at.sigma >= strip.limits.leastSquare());
     // A squared Gaussian is narrower by sqrt(2).
     Lanes width = (kSquared ? 2.0F : 1.0F) * sums.second / sums.weight;
     takeRoot(width);
@@ -164,12 +164,22 @@ struct MeasureCentroids
     takeRoot(height);
     Lanes noise = sums.noise;
     takeRoot(noise);
-    const Lanes room = strip.saturation - at.background - at.gradient * at.shift;
+    const Lanes room = strip.limits.saturation - at.background - at.gradient * at.shift;
+    const Lanes low = height < room ? height : room;
+    Lanes before, after;
+    load(strip.v + first - kSide, before);
+    load(strip.v + first + kSide, after);
+    const Lanes rise = (after - before) * (0.5F / kSide);
+    const Lanes square = width * width / (1.0F + rise * rise);  // across the stripe
+    const float narrowest = strip.limits.least_width * strip.limits.least_width;
+    const auto fits = (width <= CentroidLimits::kWider * at.sigma) & (low >= strip.limits.least_light) &
+                      (square >= narrowest) & (square <= strip.limits.most_width * strip.limits.most_width);
+    light = (stayed & there & bright & fits) ? light : Lanes{};
     store(light, strip.light + first);
     store(at.shift, strip.shift + first);
     store(width, strip.width + first);
-    store(Lanes(height < room ? height : room), strip.amplitude + first);
-    store(Lanes(strip.least.noise * noise / sums.weight), strip.read_sigma + first);
+    store(low, strip.amplitude + first);
+    store(Lanes(strip.limits.noise * noise / sums.weight), strip.read_sigma + first);
     store(sums.brightest, strip.brightest + first);
   }
 };

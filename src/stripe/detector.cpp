@@ -23,21 +23,14 @@ StripeStatus reasonForNone(const ImageView& image, const StripeParams& params)
                                                                           : StripeStatus::NoStripe;
 }
 
-LeastLight leastLight(const StripeParams& params, const Levels& levels, const Workspace::Scratch& scratch)
-{
-  return LeastLight{ static_cast<float>(params.min_peak_counts * levels.count), scratch.finder.noise() };
-}
-
 StripeStatus detectStripe(const ImageView& image, const StripeParams& params, const StripeHint& hint,
                           Workspace::Scratch& scratch)
 {
   ColumnTrack& track = scratch.track;
   track.pieces.clear();
-  const Levels levels = levelsOf(image, params);
-  const StripeFinder::Settings settings{ static_cast<float>(params.min_peak_counts * levels.count),
-                                         static_cast<float>(levels.count) };
   if (image.width >= kGroup)
-    scratch.finder.find(image, settings, hint.last, track);
+    scratch.finder.find(image, static_cast<float>(params.min_peak_counts * levelsOf(image, params).count), hint.last,
+                        track);
   if (track.pieces.empty())
     return reasonForNone(image, params);
   const float noise = scratch.finder.noise();

@@ -13,9 +13,6 @@ namespace weld_profiler
 StripeStatus detectStripe(const ImageView& image, const StripeParams& params, const StripeHint& hint,
                           Workspace::Scratch& scratch);
 
-/// What a column must show to be the stripe's.
-LeastLight leastLight(const StripeParams& params, const Levels& levels, const Workspace::Scratch& scratch);
-
 /// Why a frame shows no stripe: too bright, too dark, or none there.
 StripeStatus reasonForNone(const ImageView& image, const StripeParams& params);
 }  // namespace weld_profiler

@@ -4,14 +4,21 @@
 
 #include "centre_line.h"
 #include "detector.h"
+#include "steep_links.h"
 
 namespace weld_profiler
 {
+namespace
+{
+constexpr std::size_t kBesideUpright = 4;  ///< centres that a kernel of 2.3 px rounds a corner over
+}  // namespace
+
 void finish(const StripeParams& params, const Levels& levels, Workspace& workspace, Stripe& stripe)
 {
   Workspace::Scratch& scratch = workspace.scratch();
   scratch.scatter.measure(scratch.centres);
   writeStripe(scratch.centres, scratch.scatter, params, levels, stripe);
+  flagSteepLinks(stripe, kBesideUpright);
   if (stripe.empty())
     stripe.status = StripeStatus::NoStripe;
   if (!workspace.keep_trace)
@@ -40,13 +47,15 @@ void MethodBase::extract(const ImageView& image, const StripeHint& hint, Workspa
   if (stripe.status != StripeStatus::Ok)
     return;
   const Levels levels = levelsOf(image, params_);
-  const auto saturation = static_cast<float>(levels.saturation);
-  scratch.centroid.measure({ image, leastLight(params_, levels, scratch), saturation, weight() }, scratch.track);
+  const StripeLimits limits = limitsOf(params_, levels, scratch.finder.noise());
+  scratch.centroid.measure({ image, limits, weight() }, scratch.track);
   scratch.choice.choose(scratch.track, scratch.centroid.light(), image.width);
-  scratch.centroid.write(scratch.track, scratch.choice.chosen(), saturation, scratch.centres);
+  scratch.centroid.write(scratch.track, scratch.choice.chosen(), limits.saturation, scratch.centres);
   measureSlopes(scratch.centres);
   refine(image, scratch);
   finish(params_, levels, workspace, stripe);
+  if (stripe.empty())
+    stripe.status = reasonForNone(image, params_);
 }
 
 void MethodBase::refine(const ImageView& /*image*/, Workspace::Scratch& /*scratch*/) const {}

@@ -29,7 +29,6 @@ public:
       workspace.aperture.clear();
       return;
     }
-    const Levels levels = levelsOf(image, params_);
     ColumnTrack& track = scratch.track;
     for (int pass = 1;; ++pass)
     {
@@ -38,11 +37,7 @@ public:
         break;
       ColumnMoments::measure(image, scratch.finder.noise(), track);
     }
-    RidgeCentres::Limits limits{};
-    limits.least = leastLight(params_, levels, scratch);
-    limits.saturation = static_cast<float>(levels.saturation);
-    limits.least_width = static_cast<float>(params_.min_stripe_width_px);
-    limits.most_width = static_cast<float>(params_.max_stripe_width_px);
+    const StripeLimits limits = limitsOf(params_, levelsOf(image, params_), scratch.finder.noise());
     scratch.ridge_centres.write(track, scratch.along, limits, image.width, stripe, workspace.aperture);
     if (workspace.keep_trace)
       scratch.ridge_centres.trace(track, workspace.initial);

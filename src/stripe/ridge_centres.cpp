@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "line_checks.h"
 #include "multiversion.h"
+#include "steep_links.h"
 
 namespace weld_profiler
 {
 namespace
 {
-constexpr float kHalfPi = 1.57079625F;  // the largest float that is not beyond
+constexpr std::size_t kBesideUpright = 3;  // centres
+constexpr float kHalfPi = 1.57079625F;     // the largest float that is not beyond
 
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
 WELD_PROFILER_KERNEL float arcTangent(float x)
@@ -20,8 +21,8 @@ WELD_PROFILER_KERNEL float arcTangent(float x)
   const float argument = size > 1.0F ? inverse : size;
   const float square = argument * argument;
   const float angle =
-      argument * (0.999866F +
-                  square * (-0.3302995F + square * (0.180141F + square * (-0.085133F + square * 0.0208351F))));
+      argument *
+      (0.999866F + square * (-0.3302995F + square * (0.180141F + square * (-0.085133F + square * 0.0208351F))));
   const float rest = kHalfPi - angle;
   const float whole = size > 1.0F ? rest : angle;
   return __builtin_copysignf(whole, x);
@@ -32,14 +33,14 @@ struct Finish
   struct In
   {
     int count;
-    RidgeCentres::Limits limits;
+    StripeLimits limits;
     const float *slope, *row_sigma, *columns, *light, *column_width, *background, *peak, *ambiguous;
     float *good, *angle, *intensity, *width, *sigma;
     std::uint8_t* flags;
   };
   WELD_PROFILER_KERNEL static void run(In in)
   {
-    const RidgeCentres::Limits limits = in.limits;
+    const StripeLimits limits = in.limits;
     float* __restrict good = in.good;
     float* __restrict angle = in.angle;
     float* __restrict intensity = in.intensity;
@@ -69,8 +70,8 @@ struct Finish
       intensity[i] = light < room ? light : room;
       width[i] = across;
       sigma[i] = row_sigmas[i] * cosine;
-      const float bright = light >= limits.least.light ? light : 0.0F;
-      const float clear = light * light * column_width >= limits.least.square() ? bright : 0.0F;
+      const float bright = light >= limits.least_light ? light : 0.0F;
+      const float clear = light * light * column_width >= limits.leastSquare() ? bright : 0.0F;
       const float wide = across >= limits.least_width ? clear : 0.0F;
       const float narrow = across <= limits.most_width ? wide : 0.0F;
       const float visible = room > 0.0F ? narrow : 0.0F;
@@ -83,25 +84,18 @@ struct Finish
 };
 }  // namespace
 
-void RidgeCentres::fillAperture(const AlongStripe& along, std::vector<std::uint16_t>& aperture) const
-{
-  const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
-  aperture.resize(chosen.size());
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-    aperture[i] = static_cast<std::uint16_t>(along.aperture()[chosen[i].slot]);
-}
-
 void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const
 {
   const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
   stripe.resize(chosen.size());
-  fillAperture(along, aperture);
+  aperture.resize(chosen.size());
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     const int slot = chosen[i].slot;
     stripe.cell[i] = static_cast<std::uint16_t>(chosen[i].cell);
     stripe.u[i] = static_cast<float>(chosen[i].cell);
     stripe.flags[i] = flags_[slot] | (chosen[i].ambiguous ? stripe_flag::kAmbiguous : 0);
+    aperture[i] = static_cast<std::uint16_t>(along.aperture()[slot]);
   }
   // Slots that follow one another, which is nearly all of them, are copied at once.
   for (std::size_t begin = 0, end = 0; begin < chosen.size(); begin = end)
@@ -133,7 +127,7 @@ void RidgeCentres::trace(const ColumnTrack& track, std::vector<InitialPoint>& in
   }
 }
 
-void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, const Limits& limits, int cells,
+void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, const StripeLimits& limits, int cells,
                          Stripe& stripe, std::vector<std::uint16_t>& aperture)
 {
   for (std::vector<float>* field : { &good_, &angle_, &intensity_, &width_, &sigma_ })
@@ -158,10 +152,6 @@ void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, con
   dispatch<Finish>(in);
   choice_.choose(track, good_, cells);
   fill(along, stripe, aperture);
-  checkUprightLinks(stripe);
-  if (stripe.size() == aperture.size())
-    return;
-  choice_.keep(stripe.cell);
-  fillAperture(along, aperture);
+  flagSteepLinks(stripe, kBesideUpright);
 }
 }  // namespace weld_profiler

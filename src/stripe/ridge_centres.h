@@ -6,6 +6,7 @@
 #include "along_stripe.h"
 #include "column_track.h"
 #include "slot_choice.h"
+#include "stripe_limits.h"
 #include "weld_profiler/core/stripe.h"
 #include "weld_profiler/stripe/workspace.h"
 
@@ -16,24 +17,15 @@ namespace weld_profiler
 class RidgeCentres
 {
 public:
-  struct Limits
-  {
-    LeastLight least;
-    float saturation;   ///< grey level at which pixels clip
-    float least_width;  ///< [px]
-    float most_width;   ///< [px]
-  };
-
   /// @param cells     columns of the image.
   /// @param aperture  columns that each centre was measured over, one a centre of the stripe.
-  void write(const ColumnTrack& track, const AlongStripe& along, const Limits& limits, int cells, Stripe& stripe,
+  void write(const ColumnTrack& track, const AlongStripe& along, const StripeLimits& limits, int cells, Stripe& stripe,
              std::vector<std::uint16_t>& aperture);
 
   /// Where the columns were measured about: the line that was found, before it was joined.
   void trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const;
 
 private:
-  void fillAperture(const AlongStripe& along, std::vector<std::uint16_t>& aperture) const;
   void fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const;
 
   std::vector<float> good_, angle_, intensity_, width_, sigma_;

@@ -61,13 +61,4 @@ void SlotChoice::choose(const ColumnTrack& track, const std::vector<float>& ligh
   dropShort();
   chosen_.resize(count);
 }
-
-void SlotChoice::keep(const std::vector<std::uint16_t>& cells)
-{
-  std::size_t kept = 0;
-  for (const Slot& slot : chosen_)
-    if (kept < cells.size() && cells[kept] == slot.cell)
-      chosen_[kept++] = slot;
-  chosen_.resize(kept);
-}
 }  // namespace weld_profiler

@@ -13,10 +13,8 @@ constexpr int kMostRowStep = 4;        // half widths from 1.2 px on are met
 constexpr double kEnoughGroups = 0.6;  // share of the groups that a thinned frame must show
 constexpr int kNoiseRows = 16;
 constexpr int kNoiseBins = 256;
-constexpr float kRound = 0.5F;
-constexpr float kShare = 0.125F;     // of the differences, the smallest: no stripe, no edge
-constexpr float kDifference = 0.2225F;    // that so many of |a - b| stay below, in the sigma of normal a and b
-constexpr float kQuantisation = 0.29F;  // [grey levels of 8 bit] 1 / sqrt(12)
+constexpr float kMedianOfDifference = 0.9539F;  // median of |a - b| of two normal values, in their sigma
+constexpr float kQuantisation = 0.29F;          // [grey levels] 1 / sqrt(12)
 constexpr float kHeightOverNoise = 6.0F;
 constexpr float kHeightOverPeak = 0.35F;  // an oblique stripe fills a part of a group's row
 constexpr float kLeastShare = 0.25F;      // of all peaks of its groups; less is a pattern, no stripe
@@ -26,37 +24,34 @@ constexpr float kRiseOutside = 1.8F;  // of what a peak needs, over the darkest:
 constexpr double kWhole = 0.95;       // of the last stripe's cells that must be found
 }  // namespace
 
-/// From differences of sums that lie two samples apart in a few even rows, which are summed always: more than a
-/// quarter of any frame is background.
+/// From differences of sums that lie two samples apart in a few even rows, which are summed always: most of a frame is
+/// background.
 void StripeFinder::measureNoise()
 {
   std::array<int, kNoiseBins> histogram{};
   int total = 0;
-  // In sums of eight levels of 8 bit.
-  const float scale = static_cast<float>(kGroup) / (level_ * sums_.perLevel());
   const int stride = 2 * std::max(1, sums_.rows() / (2 * kNoiseRows));
-  constexpr int kEverySecond = 2;
+  const int shift = 2;
   for (int i = 0; i + 2 < sums_.rows(); i += stride)
   {
     const std::uint16_t* a = sums_.row(i);
     const std::uint16_t* b = sums_.row(i + 2);
-    for (int k = 0; k < sums_.groups(); k += kEverySecond)
+    for (int k = 0; k < sums_.groups(); k += shift)
     {
-      const auto bin = static_cast<int>(scale * static_cast<float>(std::abs(a[k] - b[k])) + kRound);
-      ++histogram[static_cast<std::size_t>(std::min(kNoiseBins - 1, bin))];
+      ++histogram[static_cast<std::size_t>(std::min(kNoiseBins - 1, std::abs(a[k] - b[k])))];
       ++total;
     }
   }
-  const float wanted = kShare * static_cast<float>(total);
-  float below = 0.0F;
+  int below = 0;
   int bin = 0;
-  while (bin + 1 < kNoiseBins && below + static_cast<float>(histogram[static_cast<std::size_t>(bin)]) < wanted)
-    below += static_cast<float>(histogram[static_cast<std::size_t>(bin++)]);
-  const auto here = static_cast<float>(std::max(1, histogram[static_cast<std::size_t>(bin)]));
-  const float difference = std::max(0.0F, static_cast<float>(bin) - 0.5F + (wanted - below) / here) / scale;
+  while (bin + 1 < kNoiseBins && 2 * (below + histogram[static_cast<std::size_t>(bin)]) < total)
+    below += histogram[static_cast<std::size_t>(bin++)];
+  const int here = std::max(1, histogram[static_cast<std::size_t>(bin)]);
+  const float median = static_cast<float>(bin) - 0.5F +
+                       (0.5F * static_cast<float>(total) - static_cast<float>(below)) / static_cast<float>(here);
   // Noise of one pixel: a sum of 8 has sqrt(8) of it.
-  noise_ = difference / kDifference * std::sqrt(static_cast<float>(kGroup)) / sums_.perLevel();
-  noise_ = std::max(noise_, kQuantisation * level_);
+  noise_ = std::max(0.0F, median) / kMedianOfDifference * std::sqrt(static_cast<float>(kGroup)) / sums_.perLevel();
+  noise_ = std::max(noise_, kQuantisation);
 }
 
 float StripeFinder::leastHeight(float least_peak) const
@@ -123,10 +118,8 @@ bool StripeFinder::standsOut() const
   return own >= kLeastShare * all;
 }
 
-void StripeFinder::find(const ImageView& image, const Settings& settings, const Stripe* last, ColumnTrack& track)
+void StripeFinder::find(const ImageView& image, float least_peak, const Stripe* last, ColumnTrack& track)
 {
-  const float least_peak = settings.least_peak;
-  level_ = settings.level;
   const int step = std::clamp(image.height / kRowsKept, 1, kMostRowStep);
   const auto sparse = [&] { return static_cast<double>(nodes_.size()) < kEnoughGroups * sums_.groups(); };
   const bool known = last != nullptr && !last->v.empty();

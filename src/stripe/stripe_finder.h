@@ -15,17 +15,11 @@ namespace weld_profiler
 class StripeFinder
 {
 public:
-  struct Settings
-  {
-    float least_peak;  ///< weakest peak accepted, above background [grey levels]
-    float level;       ///< one grey level of an 8-bit image [grey levels]
-  };
-
   /// @param last   the stripe of the frame before, or null: only the rows around it are searched, and every second one of
   ///               the others looked at. Where the stripe is not found there whole, or something rises elsewhere, or the
   ///               stripe comes near the end of those rows, everything is searched. The result is the same.
   /// @param track  the stripe to a pixel or so; no pieces = no stripe.
-  void find(const ImageView& image, const Settings& settings, const Stripe* last, ColumnTrack& track);
+  void find(const ImageView& image, float least_peak, const Stripe* last, ColumnTrack& track);
 
   float noise() const { return noise_; }  ///< 1-sigma of one background pixel [grey levels]
 
@@ -44,6 +38,5 @@ private:
   std::vector<PathNode> nodes_;
   std::vector<int> steps_;
   float noise_ = 0.0F;
-  float level_ = 1.0F;
 };
 }  // namespace weld_profiler

@@ -1,0 +1,23 @@
+#include "steep_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace weld_profiler
+{
+void flagSteepLinks(Stripe& stripe, std::size_t beside)
+{
+  constexpr float kSteepest = 2.5F;  // rows a column, between neighbouring centres: 68 deg
+  constexpr int kUprightGap = 8;     // columns that an upright piece may leave without a centre
+  const std::size_t count = stripe.size();
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const int columns = stripe.cell[i] - stripe.cell[i - 1];
+    if (columns > kUprightGap || !(std::abs(stripe.v[i] - stripe.v[i - 1]) > kSteepest * static_cast<float>(columns)))
+      continue;
+    for (std::size_t k = i > beside ? i - beside : 0; k < std::min(count, i + beside); ++k)
+      stripe.flags[k] |= stripe_flag::kAmbiguous;
+  }
+}
+}  // namespace weld_profiler
