@@ -63,17 +63,8 @@ void expectNone(const Found& found)
     EXPECT_EQ(found.peaks.size(group), 0) << "group " << group;
 }
 
-class GroupPeaksTest : public ::testing::TestWithParam<VectorPath>
+class GroupPeaksTest : public test_support::OnEachPath
 {
-protected:
-  void SetUp() override
-  {
-    if (GetParam() > widestVectorPath())
-      GTEST_SKIP() << "this processor has no such path";
-  }
-
-private:
-  OnPath on_{ GetParam() <= widestVectorPath() ? GetParam() : VectorPath::Plain };
 };
 
 TEST_P(GroupPeaksTest, AreTheStripeOnALevelBackground)
@@ -130,9 +121,7 @@ StripePicture tornStripe(double left)
   StripePicture scene = levelStripe(150.0, 120.0);
   scene.sigma = 6.0;
   scene.profile = [left](double d)
-  {
-    return std::exp(-0.5 * std::pow(d / 6.0, 4.0)) * (1.0 - (1.0 - left) * std::exp(-0.5 * std::pow(d / 1.5, 2.0)));
-  };
+  { return std::exp(-0.5 * std::pow(d / 6.0, 4.0)) * (1.0 - (1.0 - left) * std::exp(-0.5 * std::pow(d / 1.5, 2.0))); };
   return scene;
 }
 
