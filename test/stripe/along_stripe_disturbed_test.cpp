@@ -39,6 +39,23 @@ TEST(AlongStripeDisturbed, IsNotDisturbedByALopsidedProfile)
   }
 }
 
+TEST(AlongStripeDisturbed, DoesNotMoveALopsidedProfileWhereTheFlanksAreUsed)
+{
+  Columns columns = lineOf(0.0);
+  columns.speckle = 0.15;
+  columns.lean = 0.4;
+  AlongStripe along;
+  along.join(trackOf(columns), 27);
+  double mean = 0.0;
+  Judged judged;
+  judged.add(along, columns.row, 40, kColumns - 40);
+  ASSERT_EQ(judged.count, kColumns - 80);
+  for (int u = 40; u < kColumns - 40; ++u)
+    mean += (along.row()[slotOf(u)] - columns.row(u)) / (kColumns - 80);
+  EXPECT_LT(judged.error(), 0.6 * columns.speckle / std::sqrt(27.0));  // the flanks were used
+  EXPECT_NEAR(mean, 0.0, 5e-3);                                        // half of the flanks would move it by 0.2
+}
+
 TEST(AlongStripeDisturbed, TellsALargerSigmaWhereFlanksAndCoreDisagree)
 {
   ColumnTrack track = trackOf(lineOf(0.0));

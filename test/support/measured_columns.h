@@ -35,6 +35,7 @@ struct Columns
   std::function<double(double)> reference;  ///< the track's line; empty = the outline
   double noise = 0.026;                     ///< of one column's centre [px]
   double light_noise = 0.0075;              ///< relative
+  double speckle = 0.0;                     ///< error of a column that the flanks have the other way round [px]
   double lean = 0.0;                        ///< flanks minus core of a lopsided profile [px]
   unsigned seed = 1;
 };
@@ -48,12 +49,13 @@ inline ColumnTrack trackOf(const Columns& columns)
   {
     const std::size_t slot = slotOf(u);
     const double reference = columns.reference ? columns.reference(u) : columns.row(u);
-    const double core = columns.row(u) + columns.noise * normal(random) - reference;
+    const double shared = columns.speckle * normal(random);
+    const double core = columns.row(u) + columns.noise * normal(random) + shared - reference;
     track.v[slot] = static_cast<float>(reference);
     track.sigma[slot] = 2.0F;
     track.core[slot] = static_cast<float>(core);
     // The best weights' error and the difference to any others are not correlated.
-    track.flanks[slot] = static_cast<float>(core + columns.lean + 2.0 * columns.noise * normal(random));
+    track.flanks[slot] = static_cast<float>(core + columns.lean - 2.0 * shared + 2.0 * columns.noise * normal(random));
     track.light[slot] = static_cast<float>(200.0 * (1.0 + columns.light_noise * normal(random)));
     track.spread[slot] = 1.0F;
     track.weight[slot] = 1.0F;
