@@ -107,6 +107,16 @@ TEST(AlongStripe, TakesOffWhatCurvatureAddsToMeans)
   }
 }
 
+TEST(AlongStripe, TakesOffWhatStrongCurvatureAddsToMeansOfNine)
+{
+  Columns columns;
+  columns.row = [](double u) { return 800.0 + 0.5 * 0.01 * (u - 750.0) * (u - 750.0); };
+  // A mean of 9 columns lies 10/3 times the bend off: 0.033 px.
+  const Judged result = judged(columns, 9, 700, 800);
+  EXPECT_LT(result.error(), 1.4 * columns.noise / 3.0);
+  EXPECT_LT(result.ratio(), 1.25);
+}
+
 TEST(AlongStripe, LeavesALineWithHolesWhereItIs)
 {
   Columns columns = lineOf(30.0);
