@@ -63,9 +63,7 @@ void expectNone(const Found& found)
     EXPECT_EQ(found.peaks.size(group), 0) << "group " << group;
 }
 
-class GroupPeaksTest : public test_support::OnEachPath
-{
-};
+using GroupPeaksTest = test_support::OnEachPath;
 
 TEST_P(GroupPeaksTest, AreTheStripeOnALevelBackground)
 {
@@ -82,7 +80,6 @@ TEST_P(GroupPeaksTest, StandOutOverAGlow)
   scene.ambient = [](double /*u*/, double v) { return 150.0 * std::exp(-0.5 * std::pow((v - 160.0) / 70.0, 2.0)); };
   Found found;
   find(render(scene), found);
-  // The glow falls by up to 40 levels over the 48 rows around, from the stripe's flank on that is the dimmer.
   ASSERT_EQ(found.sums.groups(), 25);
   for (int group = 0; group < found.sums.groups(); ++group)
   {
@@ -230,15 +227,14 @@ TEST(GroupPeaks, AreTheSameOnBothPaths)
   for (int v = 0; v < picture.height; ++v)
     for (int u = 0; u < picture.width; ++u)
       picture.set(u, v, level(random));
+  const auto findOn = [&](VectorPath path, Found& found)
+  {
+    const OnPath on(path);
+    find(picture, found);
+  };
   Found plain, wide;
-  {
-    const OnPath on(VectorPath::Plain);
-    find(picture, plain);
-  }
-  {
-    const OnPath on(widestVectorPath());
-    find(picture, wide);
-  }
+  findOn(VectorPath::Plain, plain);
+  findOn(widestVectorPath(), wide);
   int count = 0;
   ASSERT_EQ(plain.sums.groups(), 34);
   for (int group = 0; group < 34; ++group)

@@ -50,9 +50,7 @@ void expectBruteForce(const Picture& picture, int row_step)
           << "row " << i << " of every " << row_step << ", group " << group << ", width " << picture.width;
 }
 
-class GroupSumsTest : public test_support::OnEachPath
-{
-};
+using GroupSumsTest = test_support::OnEachPath;
 
 TEST_P(GroupSumsTest, AreThoseOfThePixelsForEveryWidth)
 {

@@ -38,7 +38,7 @@ inline ColumnTrack trackOf(const StripePicture& scene, double off = 0.0)
   const double level = scene.bit_depth == 8 ? 1.0 : 257.0;
   for (int u = 0; u < scene.width; ++u)
   {
-    const auto slot = static_cast<std::size_t>(u + ColumnTrack::kGuard);
+    const auto slot = static_cast<std::size_t>(u) + ColumnTrack::kGuard;
     track.v[slot] = static_cast<float>(scene.row(u) + off);
     track.sigma[slot] = static_cast<float>(columnSigma(scene, u));
     track.background[slot] = static_cast<float>(level * scene.background);
@@ -48,7 +48,7 @@ inline ColumnTrack trackOf(const StripePicture& scene, double off = 0.0)
 
 inline std::size_t slotOf(int u)
 {
-  return static_cast<std::size_t>(u + ColumnTrack::kGuard);
+  return static_cast<std::size_t>(u) + ColumnTrack::kGuard;
 }
 }  // namespace test_support
 }  // namespace weld_profiler

@@ -16,7 +16,7 @@ constexpr int kColumns = 1500;
 
 inline std::size_t slotOf(int u)
 {
-  return static_cast<std::size_t>(u + ColumnTrack::kGuard);
+  return static_cast<std::size_t>(u) + ColumnTrack::kGuard;
 }
 
 /// One piece without light over so many columns.
