@@ -83,10 +83,10 @@ TEST_P(GroupPeaksTest, StandOutOverAGlow)
   ASSERT_EQ(found.sums.groups(), 25);
   for (int group = 0; group < found.sums.groups(); ++group)
   {
-    bool seen = false;
+    int seen = 0;
     for (int i = 0; i < found.peaks.size(group); ++i)
-      seen |= std::abs(found.peaks.at(group, i).row - 120) <= 2;
-    EXPECT_TRUE(seen) << "group " << group;
+      seen += std::abs(found.peaks.at(group, i).row - 120) <= 2 ? 1 : 0;
+    EXPECT_EQ(seen, 1) << "group " << group;
   }
 }
 
@@ -116,7 +116,6 @@ TEST_P(GroupPeaksTest, AreNotAGradientNorTheEdgeOfABrightPart)
 StripePicture tornStripe(double left)
 {
   StripePicture scene = levelStripe(150.0, 120.0);
-  scene.sigma = 6.0;
   scene.profile = [left](double d)
   { return std::exp(-0.5 * std::pow(d / 6.0, 4.0)) * (1.0 - (1.0 - left) * std::exp(-0.5 * std::pow(d / 1.5, 2.0))); };
   return scene;
@@ -126,9 +125,7 @@ TEST_P(GroupPeaksTest, TornBySpeckleAreOne)
 {
   Found found;
   find(render(tornStripe(0.7)), found);
-  ASSERT_EQ(found.sums.groups(), 25);
-  for (int group = 0; group < found.sums.groups(); ++group)
-    EXPECT_EQ(found.peaks.size(group), 1) << "group " << group;
+  expectOne(found, 147, 105.0, 10.0);  // the higher of the two tops
 }
 
 TEST_P(GroupPeaksTest, WithADeepValleyBetweenAreTwo)
