@@ -26,6 +26,7 @@ constexpr float kFlankGain = 0.011007F;
 constexpr int kAhead = 96;  // columns: the window is high and narrow, the processor does not see where it goes
 constexpr float kWindow = 3.4F;  // half widths; beyond, the weights are nothing
 constexpr float kLeastRows = 2.0F;
+constexpr float kLightOverNoise = 4.0F;
 constexpr float kTorn = 0.9F;        // half widths that flanks and core may differ by, and
 constexpr float kSampled = 1.2F;     // [px] narrower stripes have too few pixels for flanks
 constexpr float kTornNoise = 20.0F;  // sigmas of what pixel noise alone makes of it
@@ -171,7 +172,10 @@ struct MeasureColumns
                         square > 0.0F && centre > kInside * sigma - 0.5F && centre < bottom)
                            ? one
                            : Lanes{};
-    storeLanes(fits, strip.weight + first);
+    // A column without light must not be averaged into those beside it.
+    const Lanes height = sums.light * scale * (1.0F / kLightPerHeight);
+    const float faint = kLightOverNoise * strip.noise;
+    storeLanes(height * height * sigma >= faint * faint ? fits : Lanes{}, strip.weight + first);
   }
 };
 }  // namespace
@@ -208,6 +212,7 @@ void ColumnMoments::locate(const ImageView& image, float noise, ColumnTrack& tra
 
 void ColumnMoments::measure(const ImageView& image, float noise, ColumnTrack& track)
 {
+  track.noise = noise;
   run<true>(image, noise, track);
 }
 }  // namespace weld_profiler

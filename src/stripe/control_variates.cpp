@@ -258,21 +258,31 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   return result;
 }
 
-/// Of pieces too short for fifth differences six columns apart: what neighbours say, or nothing for sure.
+/// Of pieces too short for fifth differences six columns apart: what neighbours say, at least what pixel noise makes.
 StretchScatter ControlVariates::ofShortPieces(const Means& means) const
 {
-  constexpr float kNothingKnown = 0.01F;  // [px^2]
+  constexpr float kNoiseGain = 1.136F;  // variance of a centre, of unit noise over light and a half width of 1 px
   constexpr float kWhole = 2.5F;
   float sum = 0.0F;
   float count = 0.0F;
+  float floor = 0.0F;
+  float held = 0.0F;
   for (int i = kReach; i < count_ - kReach; ++i)
+  {
     if (means.columns[i - 1] > kWhole && means.columns[i + 2] > kWhole)
     {
       sum += fine_[static_cast<std::size_t>(i)] * fine_[static_cast<std::size_t>(i)];
       count += 1.0F;
     }
+    if (means.columns[i] > kWhole && means.light[i] > 0.0F)
+    {
+      floor += kNoiseGain * means.width[i] * means.noise * means.noise / (means.light[i] * means.light[i]);
+      held += 1.0F;
+    }
+  }
   StretchScatter result;
-  result.variance = result.told = count > 0.0F ? sum / count / 3.0F + kLeast : kNothingKnown;
+  const float seen = sum / std::max(1.0F, count);
+  result.variance = result.told = std::max(seen, floor / std::max(1.0F, held)) / 3.0F + kLeast;
   result.difference = kUnknown;  // flanks and core may differ: no one knows how much they do by themselves
   return result;
 }

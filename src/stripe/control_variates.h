@@ -39,6 +39,7 @@ public:
     const float* single;  ///< the centre of one column
     const float* width;   ///< half width down the column [px]
     int count;
+    float noise;  ///< 1-sigma of one pixel [grey levels]
   };
   void learn(const Means& means);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/known_columns.h"
 #include "support/on_path.h"
 #include "support/render_stripe.h"
 
@@ -13,53 +14,15 @@ namespace weld_profiler
 {
 namespace
 {
+using test_support::columnSigma;
+using test_support::kNoise;
 using test_support::OnPath;
 using test_support::Picture;
 using test_support::render;
-using test_support::straight;
+using test_support::sceneOf;
+using test_support::slotOf;
 using test_support::StripePicture;
-
-constexpr float kNoise = 0.3F;  // grey levels: an 8-bit image's rounding
-
-/// 16 bit: its rounding moves no centre by 1e-4 px.
-StripePicture sceneOf(double degrees, double row, double sigma)
-{
-  StripePicture scene = straight(degrees, row);
-  scene.width = 203;
-  scene.height = 160;
-  scene.sigma = sigma;
-  scene.bit_depth = 16;
-  return scene;
-}
-
-/// The stripe's half width down a column.
-double columnSigma(const StripePicture& scene, double u)
-{
-  const double slope = scene.slope(u);
-  return scene.sigma * std::sqrt(1.0 + slope * slope);
-}
-
-/// A track of one piece over all columns, so far off the true line.
-ColumnTrack trackOf(const StripePicture& scene, double off = 0.0)
-{
-  ColumnTrack track;
-  track.resize(static_cast<std::size_t>(scene.width) + 2 * ColumnTrack::kGuard);
-  track.pieces.push_back(ColumnTrack::Piece{ ColumnTrack::kGuard, 0, scene.width });
-  const double level = scene.bit_depth == 8 ? 1.0 : 257.0;
-  for (int u = 0; u < scene.width; ++u)
-  {
-    const auto slot = static_cast<std::size_t>(u + ColumnTrack::kGuard);
-    track.v[slot] = static_cast<float>(scene.row(u) + off);
-    track.sigma[slot] = static_cast<float>(columnSigma(scene, u));
-    track.background[slot] = static_cast<float>(level * scene.background);
-  }
-  return track;
-}
-
-std::size_t slotOf(int u)
-{
-  return static_cast<std::size_t>(u + ColumnTrack::kGuard);
-}
+using test_support::trackOf;
 
 /// Of one column, from a straight, level stripe in all of them.
 struct Column
@@ -166,67 +129,6 @@ TEST(ColumnMoments, FeignAnOffsetByReflectanceExactlyAsTheIdentitySays)
       // t^6 is no Gaussian in the last percent, nor is the derivative exact.
       EXPECT_LT(worst, 0.02 * largest) << degrees << " deg, period " << period << ", largest " << largest;
     }
-}
-
-TEST(ColumnMoments, CountNoColumnWhereTheStripeRunsOutOfTheImage)
-{
-  StripePicture scene = sceneOf(-20.0, 70.0, 2.0);
-  scene.height = 90;
-  ColumnTrack track = trackOf(scene);
-  ColumnMoments::measure(render(scene).view(), kNoise, track);
-  int inside = 0;
-  int outside = 0;
-  for (int u = 0; u < scene.width; ++u)
-  {
-    const double room = scene.row(u) / columnSigma(scene, u);  // half widths above the stripe
-    if (room > 2.6)
-    {
-      ++inside;
-      EXPECT_EQ(track.weight[slotOf(u)], 1.0F) << u;
-    }
-    else if (room < 2.0)
-    {
-      ++outside;
-      EXPECT_EQ(track.weight[slotOf(u)], 0.0F) << u;
-    }
-  }
-  EXPECT_GT(inside, 100);
-  EXPECT_GT(outside, 10);
-}
-
-TEST(ColumnMoments, CountNoColumnBelowTheImage)
-{
-  StripePicture scene = sceneOf(0.0, 85.5, 2.0);
-  scene.height = 90;  // 4.5 rows below: less than 2.5 half widths
-  ColumnTrack track = trackOf(scene);
-  ColumnMoments::measure(render(scene).view(), kNoise, track);
-  for (int u = 0; u < scene.width; ++u)
-    EXPECT_EQ(track.weight[slotOf(u)], 0.0F) << u;
-}
-
-TEST(ColumnMoments, CountNoColumnTornBySpatter)
-{
-  StripePicture scene = sceneOf(0.0, 80.0, 2.0);
-  Picture picture = render(scene);
-  for (int u = 100; u < 106; ++u)
-    for (int v = 84; v < 88; ++v)
-      picture.set(u, v, 65535.0);
-  ColumnTrack track = trackOf(scene);
-  ColumnMoments::measure(picture.view(), 257.0F * kNoise, track);
-  for (int u = 0; u < scene.width; ++u)
-    EXPECT_EQ(track.weight[slotOf(u)], u >= 100 && u < 106 ? 0.0F : 1.0F) << u;
-}
-
-TEST(ColumnMoments, CountNoColumnWithoutLight)
-{
-  StripePicture scene = sceneOf(0.0, 80.0, 2.0);
-  scene.gain = [](double u) { return u < 50.0 ? 0.0 : 1.0; };
-  ColumnTrack track = trackOf(scene);
-  for (float& background : track.background)
-    background += 1.0F;  // of 65535: darker than told
-  ColumnMoments::measure(render(scene).view(), kNoise, track);
-  for (int u = 0; u < scene.width; ++u)
-    EXPECT_EQ(track.weight[slotOf(u)], u < 50 ? 0.0F : 1.0F) << u;
 }
 
 TEST(ColumnMoments, TellTheBrightestPixelNearTheCentre)

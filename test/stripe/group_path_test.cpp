@@ -185,7 +185,7 @@ PathNode nodeOf(int group, int height, bool starts)
 TEST(GroupPath, LosesLonersThatAreNotBright)
 {
   // Three groups of a stripe, a dim and a bright single one, two dim ones side by side.
-  std::vector<PathNode> nodes{ nodeOf(0, 100, true),  nodeOf(1, 100, false), nodeOf(2, 100, false), nodeOf(9, 20, true),
+  std::vector<PathNode> nodes{ nodeOf(0, 100, true), nodeOf(1, 100, false), nodeOf(2, 100, false), nodeOf(9, 20, true),
                                nodeOf(20, 90, true), nodeOf(30, 20, true),  nodeOf(31, 20, false) };
   dropLoners(nodes);
   ASSERT_EQ(nodes.size(), 6U);

@@ -13,7 +13,6 @@ namespace weld_profiler
 namespace
 {
 using test_support::blank;
-using test_support::OnPath;
 using test_support::Picture;
 
 /// Grey levels over the whole range of the container.
@@ -51,18 +50,7 @@ void expectBruteForce(const Picture& picture, int row_step)
           << "row " << i << " of every " << row_step << ", group " << group << ", width " << picture.width;
 }
 
-class GroupSumsTest : public ::testing::TestWithParam<VectorPath>
-{
-protected:
-  void SetUp() override
-  {
-    if (GetParam() > widestVectorPath())
-      GTEST_SKIP() << "this processor has no such path";
-  }
-
-private:
-  OnPath on_{ GetParam() <= widestVectorPath() ? GetParam() : VectorPath::Plain };
-};
+using GroupSumsTest = test_support::OnEachPath;
 
 TEST_P(GroupSumsTest, AreThoseOfThePixelsForEveryWidth)
 {
