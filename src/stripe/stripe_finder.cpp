@@ -18,40 +18,55 @@ constexpr float kQuantisation = 0.29F;          // [grey levels] 1 / sqrt(12)
 constexpr float kHeightOverNoise = 6.0F;
 constexpr float kHeightOverPeak = 0.35F;  // an oblique stripe fills a part of a group's row
 constexpr float kLeastShare = 0.25F;      // of all peaks of its groups; less is a pattern, no stripe
-constexpr int kMove = 24;             // rows that a stripe may move from frame to frame and still be followed
-constexpr double kMostOfFrame = 0.6;  // share of the rows; a higher band is not worth it
-constexpr float kRiseOutside = 1.8F;  // of what a peak needs, over the darkest: ten sigmas
-constexpr double kWhole = 0.95;       // of the last stripe's cells that must be found
+constexpr int kMove = 24;                 // rows that a stripe may move from frame to frame and still be followed
+constexpr double kMostOfFrame = 0.6;      // share of the rows; a higher band is not worth it
+constexpr float kRiseOutside = 1.8F;      // of what a peak needs, over the darkest: ten sigmas
+constexpr double kWhole = 0.95;           // of the last stripe's cells that must be found
 }  // namespace
 
-/// From differences of sums that lie two samples apart in a few even rows, which are summed always: most of a frame is
-/// background.
+/// From differences of sums that lie two samples apart in a few even rows, which are summed always, down the columns or
+/// along the rows: most of a frame is background, and where a narrow region holds more of the stripe, one of the two
+/// runs along it.
 void StripeFinder::measureNoise()
 {
-  std::array<int, kNoiseBins> histogram{};
-  int total = 0;
-  const int stride = 2 * std::max(1, sums_.rows() / (2 * kNoiseRows));
-  const int shift = 2;
-  for (int i = 0; i + 2 < sums_.rows(); i += stride)
-  {
-    const std::uint16_t* a = sums_.row(i);
-    const std::uint16_t* b = sums_.row(i + 2);
-    for (int k = 0; k < sums_.groups(); k += shift)
-    {
-      ++histogram[static_cast<std::size_t>(std::min(kNoiseBins - 1, std::abs(a[k] - b[k])))];
-      ++total;
-    }
-  }
-  int below = 0;
-  int bin = 0;
-  while (bin + 1 < kNoiseBins && 2 * (below + histogram[static_cast<std::size_t>(bin)]) < total)
-    below += histogram[static_cast<std::size_t>(bin++)];
-  const int here = std::max(1, histogram[static_cast<std::size_t>(bin)]);
-  const float median = static_cast<float>(bin) - 0.5F +
-                       (0.5F * static_cast<float>(total) - static_cast<float>(below)) / static_cast<float>(here);
+  const float difference = std::min(medianDifference(2, 0), medianDifference(0, 1));
   // Noise of one pixel: a sum of 8 has sqrt(8) of it.
-  noise_ = std::max(0.0F, median) / kMedianOfDifference * std::sqrt(static_cast<float>(kGroup)) / sums_.perLevel();
+  noise_ = difference / kMedianOfDifference * std::sqrt(static_cast<float>(kGroup)) / sums_.perLevel();
   noise_ = std::max(noise_, kQuantisation);
+}
+
+/// Median of the differences between sums that are some rows and groups apart, from a histogram; where that is too
+/// short, as it is for 16 bit, from a coarser one.
+float StripeFinder::medianDifference(int rows, int groups) const
+{
+  constexpr int kCoarser = 5;  // for 16 bit, bins of an eighth of a level of 8 bit, as they are for 8 bit
+  constexpr int kMostShift = 10;
+  for (int shift = 0;; shift += kCoarser)
+  {
+    const int half = (1 << shift) / 2;
+    std::array<int, kNoiseBins> histogram{};
+    int total = 0;
+    const int stride = 2 * std::max(1, sums_.rows() / (2 * kNoiseRows));
+    for (int i = 0; i + rows < sums_.rows(); i += stride)
+    {
+      const std::uint16_t* a = sums_.row(i);
+      const std::uint16_t* b = sums_.row(i + rows) + groups;
+      for (int k = 0; k + groups < sums_.groups(); k += 4)
+      {
+        ++histogram[static_cast<std::size_t>(std::min(kNoiseBins - 1, (std::abs(a[k] - b[k]) + half) >> shift))];
+        ++total;
+      }
+    }
+    int below = 0;
+    int bin = 0;
+    while (bin + 1 < kNoiseBins && 2 * (below + histogram[static_cast<std::size_t>(bin)]) < total)
+      below += histogram[static_cast<std::size_t>(bin++)];
+    if (bin + 1 == kNoiseBins && shift < kMostShift)
+      continue;
+    const int here = std::max(1, histogram[static_cast<std::size_t>(bin)]);
+    const float share = (0.5F * static_cast<float>(total) - static_cast<float>(below)) / static_cast<float>(here);
+    return std::max(0.0F, static_cast<float>(1 << shift) * (static_cast<float>(bin) + share - 0.5F));
+  }
 }
 
 float StripeFinder::leastHeight(float least_peak) const

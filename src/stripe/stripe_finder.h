@@ -29,6 +29,7 @@ private:
   void choose(float least_peak, const RowRange& rows);
   float leastHeight(float least_peak) const;
   void measureNoise();
+  float medianDifference(int rows, int groups) const;
   bool standsOut() const;
 
   GroupSums sums_;
