@@ -89,19 +89,20 @@ void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<st
   const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
   stripe.resize(chosen.size());
   aperture.resize(chosen.size());
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-  {
-    const int slot = chosen[i].slot;
-    stripe.cell[i] = static_cast<std::uint16_t>(chosen[i].cell);
-    stripe.u[i] = static_cast<float>(chosen[i].cell);
-    stripe.flags[i] = flags_[slot] | (chosen[i].ambiguous ? stripe_flag::kAmbiguous : 0);
-    aperture[i] = static_cast<std::uint16_t>(along.aperture()[slot]);
-  }
   // Slots that follow one another, which is nearly all of them, are copied at once.
   for (std::size_t begin = 0, end = 0; begin < chosen.size(); begin = end)
   {
     for (end = begin + 1; end < chosen.size() && chosen[end].slot == chosen[end - 1].slot + 1;)
       ++end;
+    const int count = static_cast<int>(end - begin);
+    for (int k = 0; k < count; ++k)
+      stripe.cell[begin + k] = static_cast<std::uint16_t>(chosen[begin].cell + k);
+    for (int k = 0; k < count; ++k)
+      stripe.u[begin + k] = static_cast<float>(chosen[begin].cell + k);
+    for (int k = 0; k < count; ++k)
+      stripe.flags[begin + k] = flags_[chosen[begin].slot + k];
+    for (int k = 0; k < count; ++k)
+      aperture[begin + k] = static_cast<std::uint16_t>(static_cast<int>(along.aperture()[chosen[begin].slot + k]));
     const auto copy = [&](const std::vector<float>& values, std::vector<float>& to)
     {
       const auto from = values.begin() + chosen[begin].slot;
@@ -113,6 +114,9 @@ void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<st
     copy(width_, stripe.width);
     copy(sigma_, stripe.sigma);
   }
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    if (chosen[i].ambiguous)
+      stripe.flags[i] |= stripe_flag::kAmbiguous;
 }
 
 void RidgeCentres::trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const

@@ -11,6 +11,15 @@ void flagSteepLinks(Stripe& stripe, std::size_t beside)
   constexpr float kSteepest = 2.5F;  // rows a column, between neighbouring centres: 68 deg
   constexpr int kUprightGap = 8;     // columns that an upright piece may leave without a centre
   const std::size_t count = stripe.size();
+  // Nearly all stripes end here, and this loop the compiler vectorises.
+  float steepest = 0.0F;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const float rise = std::abs(stripe.v[i] - stripe.v[i - 1]);
+    steepest = rise > steepest ? rise : steepest;
+  }
+  if (!(steepest > kSteepest))
+    return;
   for (std::size_t i = 1; i < count; ++i)
   {
     const int columns = stripe.cell[i] - stripe.cell[i - 1];
