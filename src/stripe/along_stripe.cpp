@@ -105,8 +105,8 @@ void AlongStripe::join(const ColumnTrack& track, int max_aperture)
   dispatch<MeanHeld>(at(SpareA), at(Sum3), slots_, at(Feigned3));
   sum(Difference, 1, SpareA);
   dispatch<MeanHeld>(at(SpareA), at(Sum3), slots_, at(Difference3));
-  variates_.learn(ControlVariates::Means{ at(Mean3), at(Feigned3), at(Difference3), track.light.data(), at(Sum3), at(Offset),
-                                          track.sigma.data(), slots_, track.noise });
+  variates_.learn(ControlVariates::Means{ at(Mean3), at(Feigned3), at(Difference3), track.light.data(), at(Sum3),
+                                          at(Offset), track.sigma.data(), slots_, track.noise });
   const auto stretches = static_cast<int>(variates_.stretches().size());
   dispatch<Correct>(slots_, stretches, variates_.stretches().data(), at(Feigned), at(Difference), at(Offset));
   meanAlong();

@@ -34,9 +34,9 @@ public:
   bool moveReference(ColumnTrack& track) const;
 
   // one a slot
-  const std::vector<float>& row() const { return row_; }            ///< of the centre [px]
-  const std::vector<float>& slope() const { return arrays_[Slope9]; }        ///< of the line, rows a column
-  const std::vector<float>& sigma() const { return sigma_; }        ///< of the row [px]
+  const std::vector<float>& row() const { return row_; }               ///< of the centre [px]
+  const std::vector<float>& slope() const { return arrays_[Slope9]; }  ///< of the line, rows a column
+  const std::vector<float>& sigma() const { return sigma_; }           ///< of the row [px]
   const std::vector<float>& aperture() const { return aperture_; }  ///< columns whose pixels take part; 0 = no centre
 
 private:
@@ -62,7 +62,7 @@ private:
     Square27,  // squared differences between the means
     Seen9,
     Seen27,  // their sums around a column
-    Slope9,       // mean slopes
+    Slope9,  // mean slopes
     Slope27,
     SpareA,
     SpareB,

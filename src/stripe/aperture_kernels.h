@@ -133,8 +133,8 @@ struct ChooseAperture
   {
     constexpr float kAlone = 1.0F / 9.0F;  // what one column's own difference counts for beside the mean around it
     constexpr float kSeenByChance = 1.4F;
-    constexpr float kSkew = 0.8F;          // of a column's cut through a curved, oblique stripe
-    constexpr float kDisturbed = 16.0F;    // flanks and core differ by four sigmas
+    constexpr float kSkew = 0.8F;        // of a column's cut through a curved, oblique stripe
+    constexpr float kDisturbed = 16.0F;  // flanks and core differ by four sigmas
     const float v3 = learnt.variance;
     const float told = learnt.told;
     const float grain = learnt.grain;

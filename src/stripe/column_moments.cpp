@@ -23,7 +23,7 @@ typedef std::int32_t WholeLanes __attribute__((vector_size(kLanes * sizeof(std::
 constexpr float kLightPerHeight = 1.8719F;
 constexpr float kCoreGain = 0.54376F;
 constexpr float kFlankGain = 0.011007F;
-constexpr int kAhead = 96;  // columns: the window is high and narrow, the processor does not see where it goes
+constexpr int kAhead = 96;       // columns: the window is high and narrow, the processor does not see where it goes
 constexpr float kWindow = 3.4F;  // half widths; beyond, the weights are nothing
 constexpr float kLeastRows = 2.0F;
 constexpr float kLightOverNoise = 4.0F;

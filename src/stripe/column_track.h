@@ -29,7 +29,7 @@ struct ColumnTrack
   std::vector<float> ambiguous;   ///< 1 where a second peak was nearly as good
 
   // what ColumnMoments measures
-  float noise = 0.0F;             ///< 1-sigma of one pixel that it was measured with
+  float noise = 0.0F;         ///< 1-sigma of one pixel that it was measured with
   std::vector<float> light;   ///< height of the stripe's profile above the background, from the whole profile
   std::vector<float> core;    ///< offset of the centre from v by the weights of the matched filter
   std::vector<float> flanks;  ///< the same by weights that look at the flanks, where speckle is weak

@@ -20,7 +20,7 @@ constexpr double kEnough = 24.0;
 constexpr int kNeighbours = 2;       // stretches on either side that are asked as well, by less and less
 constexpr double kCorrelated = 3.0;  // differences of means over common columns: so many count as one
 constexpr double kSurely = 4.0;      // squared significance from which a correction is used
-constexpr double kOutline = 2.5;           // scatter over what noise explains
+constexpr double kOutline = 2.5;     // scatter over what noise explains
 constexpr double kLikely = 1.5;
 constexpr double kSpeckleShare = 0.5;      // of the flanks, from which there is speckle beyond doubt
 constexpr double kSpeckled = 1.5;          // more of it where there is speckle
@@ -175,8 +175,7 @@ ControlVariates::Explained ControlVariates::explained(const Moments& sum)
   constexpr double kWhite = 0.45;  // white noise makes the light uneven as well: that is not to be counted twice
   const double light = std::max(1e-9, sum.light / sum.count);
   const double fine = sum.fine / sum.count / 3.0;
-  const double uneven =
-      kSpecklePerLight * sum.width / sum.count * sum.uneven / sum.count / (light * light);
+  const double uneven = kSpecklePerLight * sum.width / sum.count * sum.uneven / sum.count / (light * light);
   return Explained{ fine + uneven, std::max(fine, kWhite * uneven) };
 }
 
@@ -251,8 +250,7 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   const double speckle = std::min(1.0, flanks / kSpeckleShare);
   result.told = static_cast<float>(std::min(seen, (kLikely + kSpeckled * speckle) * noise.likely) + kLeast);
   const double alike = 3.0 * seen / std::max<double>(kLeast, sum.fine / sum.count);
-  result.grain =
-      static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * speckle * (alike - 1.0), 1.0, kMostGrain));
+  result.grain = static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * speckle * (alike - 1.0), 1.0, kMostGrain));
   result.lean = static_cast<float>(sum.lean / sum.count);
   result.difference = static_cast<float>(sum.dd / sum.count + kLeast);
   return result;

@@ -29,10 +29,7 @@ struct Block
   GroupPeak* peaks;  // 16 x kMost
   int* counts;       // 16
 
-  WELD_PROFILER_KERNEL const std::uint16_t* at(int row) const
-  {
-    return sums + static_cast<std::size_t>(row) * stride;
-  }
+  WELD_PROFILER_KERNEL const std::uint16_t* at(int row) const { return sums + static_cast<std::size_t>(row) * stride; }
 };
 
 WELD_PROFILER_KERNEL void keep(const Block& block, int lane, const GroupPeak& peak)

@@ -45,8 +45,7 @@ bool maskedCentroid(const ImageView& image, const Levels& levels, double thresho
 }
 }  // namespace
 
-void LiteralReading::extract(const ImageView& image, const StripeHint& hint, Workspace& workspace,
-                             Stripe& stripe) const
+void LiteralReading::extract(const ImageView& image, const StripeHint& hint, Workspace& workspace, Stripe& stripe) const
 {
   Workspace::Scratch& scratch = workspace.scratch();
   stripe.clear();

@@ -11,6 +11,8 @@ namespace weld_profiler
 namespace
 {
 constexpr std::size_t kBesideUpright = 3;  // centres
+constexpr float kUnsure = 0.25F;           // half widths; a centre that may be off by more is none
+constexpr float kSampled = 1.2F;           // [px] a narrower stripe is not told better for it
 constexpr float kHalfPi = 1.57079625F;     // the largest float that is not beyond
 
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
@@ -75,7 +77,9 @@ struct Finish
       const float wide = across >= limits.least_width ? clear : 0.0F;
       const float narrow = across <= limits.most_width ? wide : 0.0F;
       const float visible = room > 0.0F ? narrow : 0.0F;
-      good[i] = held > 0.0F ? visible : 0.0F;
+      float row_sigma = row_sigmas[i];
+      const float sure = row_sigma <= kUnsure * (column_width > kSampled ? column_width : kSampled) ? visible : 0.0F;
+      good[i] = held > 0.0F ? sure : 0.0F;
     }
     for (int i = 0; i < in.count; ++i)
       flags[i] = static_cast<std::uint8_t>((in.peak[i] >= limits.saturation ? stripe_flag::kSaturated : 0) |

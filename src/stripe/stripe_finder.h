@@ -15,9 +15,10 @@ namespace weld_profiler
 class StripeFinder
 {
 public:
-  /// @param last   the stripe of the frame before, or null: only the rows around it are searched, and every second one of
-  ///               the others looked at. Where the stripe is not found there whole, or something rises elsewhere, or the
-  ///               stripe comes near the end of those rows, everything is searched. The result is the same.
+  /// @param last   the stripe of the frame before, or null: only the rows around it are searched, and every second one
+  /// of
+  ///               the others looked at. Where the stripe is not found there whole, or something rises elsewhere, or
+  ///               the stripe comes near the end of those rows, everything is searched. The result is the same.
   /// @param track  the stripe to a pixel or so; no pieces = no stripe.
   void find(const ImageView& image, float least_peak, const Stripe* last, ColumnTrack& track);
 
