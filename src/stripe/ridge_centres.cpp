@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::size_t kBesideUpright = 3;  // centres
 constexpr float kUnsure = 0.25F;           // half widths; a centre that may be off by more is none
-constexpr float kSampled = 1.2F;           // [px] a narrower stripe is not told better for it
+constexpr float kSampled = 2.0F;           // [px] a narrower stripe is not told better for it
 constexpr float kHalfPi = 1.57079625F;     // the largest float that is not beyond
 
 /// To 1e-5 rad: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49, and atan(x) + atan(1 / x) = pi/2.
