@@ -99,14 +99,19 @@ void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<st
     for (end = begin + 1; end < chosen.size() && chosen[end].slot == chosen[end - 1].slot + 1;)
       ++end;
     const int count = static_cast<int>(end - begin);
+    const int cell = chosen[begin].cell;
+    const float* columns = along.aperture().data() + chosen[begin].slot;
+    std::uint16_t* cells = stripe.cell.data() + begin;
+    float* u = stripe.u.data() + begin;
+    std::uint16_t* apertures = aperture.data() + begin;
     for (int k = 0; k < count; ++k)
-      stripe.cell[begin + k] = static_cast<std::uint16_t>(chosen[begin].cell + k);
+      cells[k] = static_cast<std::uint16_t>(cell + k);
     for (int k = 0; k < count; ++k)
-      stripe.u[begin + k] = static_cast<float>(chosen[begin].cell + k);
+      u[k] = static_cast<float>(cell + k);
     for (int k = 0; k < count; ++k)
-      stripe.flags[begin + k] = flags_[chosen[begin].slot + k];
-    for (int k = 0; k < count; ++k)
-      aperture[begin + k] = static_cast<std::uint16_t>(static_cast<int>(along.aperture()[chosen[begin].slot + k]));
+      apertures[k] = static_cast<std::uint16_t>(static_cast<int>(columns[k]));
+    const auto flags = flags_.begin() + chosen[begin].slot;
+    std::copy(flags, flags + count, stripe.flags.begin() + static_cast<std::ptrdiff_t>(begin));
     const auto copy = [&](const std::vector<float>& values, std::vector<float>& to)
     {
       const auto from = values.begin() + chosen[begin].slot;

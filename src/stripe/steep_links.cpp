@@ -12,13 +12,11 @@ void flagSteepLinks(Stripe& stripe, std::size_t beside)
   constexpr int kUprightGap = 8;     // columns that an upright piece may leave without a centre
   const std::size_t count = stripe.size();
   // Nearly all stripes end here, and this loop the compiler vectorises.
-  float steepest = 0.0F;
+  const float* v = stripe.v.data();
+  int steep = 0;
   for (std::size_t i = 1; i < count; ++i)
-  {
-    const float rise = std::abs(stripe.v[i] - stripe.v[i - 1]);
-    steepest = rise > steepest ? rise : steepest;
-  }
-  if (!(steepest > kSteepest))
+    steep |= std::abs(v[i] - v[i - 1]) > kSteepest ? 1 : 0;
+  if (steep == 0)
     return;
   for (std::size_t i = 1; i < count; ++i)
   {

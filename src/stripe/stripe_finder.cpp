@@ -93,12 +93,18 @@ void StripeFinder::look(const ImageView& image, int row_step, float least_peak)
 /// @return whether everything else may be left out.
 bool StripeFinder::follow(const ImageView& image, int row_step, float least_peak, const Stripe& last)
 {
-  const auto [lowest, highest] = std::minmax_element(last.v.begin(), last.v.end());
+  float lowest = last.v.back();
+  float highest = last.v.back();
+  for (std::size_t i = 0; i < last.v.size(); i += kGroup / 2)
+  {
+    lowest = std::min(lowest, last.v[i]);
+    highest = std::max(highest, last.v[i]);
+  }
   constexpr int kRoom = GroupPeaks::kReach + kMove;
   sums_.layOut(image, row_step);
   RowRange band;
-  band.first = std::max(0, (static_cast<int>(*lowest) - kRoom) / row_step);
-  band.last = std::min(sums_.rows(), (static_cast<int>(*highest) + kRoom) / row_step + 1);
+  band.first = std::max(0, (static_cast<int>(lowest) - kRoom) / row_step);
+  band.last = std::min(sums_.rows(), (static_cast<int>(highest) + kRoom) / row_step + 1);
   if (band.last - band.first > kMostOfFrame * sums_.rows() || band.first >= band.last)
     return false;
   sums_.sum(image, band.first, band.last);

@@ -52,6 +52,9 @@ void toImage(const ChannelView& channel, Stripe& stripe, std::vector<InitialPoin
   const auto pitch = static_cast<float>(channel.pitch);
   const auto to_u = [&](float u) { return static_cast<float>(channel.u + static_cast<double>(u) * channel.pitch); };
   const auto to_v = [&](float v) { return static_cast<float>(channel.v + static_cast<double>(v) * channel.pitch); };
+  const bool same = channel.pitch == 1 && channel.u == 0.0 && channel.v == 0.0;
+  if (same && channel.cell_u == 0 && channel.cell_v == 0)
+    return;
   const int first_cell = stripe.direction == Direction::AlongU ? channel.cell_u : channel.cell_v;
   for (std::size_t i = 0; i < stripe.size(); ++i)
   {
