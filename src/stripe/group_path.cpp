@@ -124,7 +124,15 @@ void GroupPath::collect(const GroupPeaks& peaks, std::vector<PathNode>& nodes) c
     node.peak = peaks.at(state.group, state.peak);
     node.starts_piece = state.previous < 0 || state.jumped;
     for (int i = 0; i < peaks.size(state.group); ++i)
-      node.ambiguous |= i != state.peak && peaks.at(state.group, i).height > kAmbiguous * node.peak.height;
+    {
+      if (i == state.peak)
+        continue;
+      const GroupPeak& other = peaks.at(state.group, i);
+      const int below = other.row - node.peak.row;
+      int& room = below > 0 ? node.free_below : node.free_above;
+      room = std::min(room, std::abs(below));
+      node.ambiguous |= static_cast<float>(other.height) > kAmbiguous * static_cast<float>(node.peak.height);
+    }
     nodes.push_back(node);
   }
   std::reverse(nodes.begin(), nodes.end());

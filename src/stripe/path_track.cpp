@@ -13,6 +13,7 @@ namespace
 constexpr float kFwhmPerSigma = 2.355F;
 constexpr float kNarrowest = 0.6F;    // [px]
 constexpr float kFlankSigmas = 4.0F;  // where the background begins
+constexpr float kClearSigmas = 2.5F;  // that another top must stay off it
 constexpr int kFlankSamples = 3;
 constexpr float kFoot = 0.2F;      // share of the height below which samples do not count for the centre
 constexpr int kOverhang = 8;       // columns that a piece is laid beyond its last node's group
@@ -85,8 +86,12 @@ PathTrack::Node PathTrack::measure(const GroupSums& sums, const PathNode& node)
 
   const int reach = static_cast<int>(std::ceil(kFlankSigmas * result.sigma / step));
   const int centre = static_cast<int>(std::lround(middle));
-  const float above = flank(sums, node.group, centre - reach - kFlankSamples + 1);
-  const float below = flank(sums, node.group, centre + reach);
+  // Where another top stands in a flank, the light there is not the background.
+  const int clear = reach + kFlankSamples + static_cast<int>(std::ceil(kClearSigmas * result.sigma / step));
+  const bool free_above = node.free_above > clear || node.free_below <= clear;
+  const bool free_below = node.free_below > clear || node.free_above <= clear;
+  const float above = free_above ? flank(sums, node.group, centre - reach - kFlankSamples + 1) : -1.0F;
+  const float below = free_below ? flank(sums, node.group, centre + reach) : -1.0F;
   const float base = node.peak.top - node.peak.height;
   if (above >= 0.0F && below >= 0.0F)
   {

@@ -11,7 +11,7 @@ constexpr int kMostPasses = 3;
 
 /// The centre line at the limit that noise sets: found as a path of sums over 8 columns, measured in each column by
 /// matched weights, joined along the stripe as far as it is straight or bent evenly. See StripeFinder, ColumnMoments,
-/// AlongStripe. Good for: everything a laser line is used for. Poor for: stripes steeper than 65 deg.
+/// AlongStripe. Good for: everything a laser line is used for. Poor for: stripes steeper than 70 deg.
 class Ridge : public StripeExtractor
 {
 public:
