@@ -16,6 +16,8 @@ constexpr float kRoughCost = 0.06F;    // per row beyond the free slope
 constexpr float kBrightEnough = 0.5F;  // height, of the typical, that earns the full reward
 constexpr float kBonus = 0.1F;         // share of the reward that tells bright from brighter: a long reflection that
                                        // outshines the stripe for a while must not pay for two jumps
+constexpr int kFew = 2;                // tops of a group that are a stripe and what lies beside it
+constexpr float kLower = 0.75F;        // height, of the chosen, of a top that is none of its own kind
 constexpr float kAmbiguous = 0.5F;     // height, of the chosen, from which a second peak is worth a flag
 constexpr std::size_t kLive = 12;      // ends of paths followed at once
 constexpr int kSmallGap = 2;           // groups that may be missing inside a piece
@@ -129,9 +131,12 @@ void GroupPath::collect(const GroupPeaks& peaks, std::vector<PathNode>& nodes) c
         continue;
       const GroupPeak& other = peaks.at(state.group, i);
       const int below = other.row - node.peak.row;
+      const auto height = static_cast<float>(other.height);
       int& room = below > 0 ? node.free_below : node.free_above;
-      room = std::min(room, std::abs(below));
-      node.ambiguous |= static_cast<float>(other.height) > kAmbiguous * static_cast<float>(node.peak.height);
+      // A pattern's tops are many, and all alike.
+      if (peaks.size(state.group) <= kFew && height < kLower * static_cast<float>(node.peak.height))
+        room = std::min(room, std::abs(below));
+      node.ambiguous |= height > kAmbiguous * static_cast<float>(node.peak.height);
     }
     nodes.push_back(node);
   }

@@ -12,7 +12,7 @@ struct PathNode
   static constexpr int kFree = 1 << 16;
   int group = 0;
   GroupPeak peak;
-  int free_above = kFree;  ///< sampled rows to the nearest other top of the group on that side
+  int free_above = kFree;  ///< sampled rows to the nearest lower top of the group on that side
   int free_below = kFree;
   bool starts_piece = false;  ///< the stripe is torn between the node before and this one
   bool ambiguous = false;     ///< a second peak of this group was nearly as good
