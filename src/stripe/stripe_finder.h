@@ -38,7 +38,6 @@ private:
   GroupPath path_;
   PathTrack laid_;
   std::vector<PathNode> nodes_;
-  std::vector<int> steps_;
   float noise_ = 0.0F;
 };
 }  // namespace weld_profiler

@@ -5,25 +5,14 @@
 
 #include "stripe/multiversion.h"
 #include "support/extract.h"
+#include "support/on_path.h"
 
 namespace weld_profiler
 {
 namespace
 {
+using test_support::OnPath;
 using test_support::Picture;
-
-/// Takes a path as long as it lives.
-class OnPath
-{
-public:
-  explicit OnPath(VectorPath path) : before_(vectorPath().exchange(path)) {}
-  ~OnPath() { vectorPath() = before_; }
-  OnPath(const OnPath&) = delete;
-  OnPath& operator=(const OnPath&) = delete;
-
-private:
-  VectorPath before_;
-};
 
 Stripe extractOn(VectorPath path, const StripeParams& params, const Picture& picture)
 {
