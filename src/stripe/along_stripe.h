@@ -74,9 +74,13 @@ private:
   void sum(Array values, int lag, Array to);
   void countColumns(const ColumnTrack& track);
   void prepareColumns(const ColumnTrack& track);
+  template <class Use>
+  void besideBreaks(const ColumnTrack& track, Array sum, float whole, Use&& use) const;
+  void turnAtBreak(const ColumnTrack& track, int slot);
   void meanSlopes();
   void meanAlong();
-  void compareMeans();
+  void compareMeans(const ColumnTrack& track);
+  void bendAtBreak(const ColumnTrack& track, int slot);
   void tellEnds(const ColumnTrack& track);
   void choose(const ColumnTrack& track, int max_aperture);
 
