@@ -47,7 +47,7 @@ void runScene(Context& context, const SceneSet& scene, const std::string& method
   const double bias = score.measured.bias();
   if (!scene.centre_defined)
     takeOffsetOff(score);
-  if (scene.noise && !scene.beyond_the_bar)
+  if (scene.noise)
     context.noteHonesty(scene.name, method, score);
   const auto points = static_cast<double>(std::max<std::size_t>(score.points, 1));
   context.report().row({ { "scene", scene.name },

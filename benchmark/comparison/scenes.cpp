@@ -223,7 +223,6 @@ SceneSet makeScene(const std::string& name, int seeds)
       scene.stripe_sigma = scene.samples.front().truth.sigma;
       scene.noise = scene.samples.front().truth.snr > 0.0 || scene.samples.front().truth.read_noise > 0.0;
       scene.centre_defined = name != "skewed";
-      scene.beyond_the_bar = name == "fading_ends";
       return scene;
     }
   throw std::invalid_argument("there is no scene '" + name + "'");

@@ -31,9 +31,8 @@ struct SceneSet
   std::string name;
   double stripe_sigma = 2.0;
   std::vector<Sample> samples;
-  bool noise = true;            ///< without it a told sigma has nothing to be compared with
-  bool beyond_the_bar = false;  ///< told for what it shows; no honest sigma is asked for there
-  bool centre_defined = true;   ///< false: a lopsided profile has no one centre; a constant offset is not counted
+  bool noise = true;           ///< without it a told sigma has nothing to be compared with
+  bool centre_defined = true;  ///< false: a lopsided profile has no one centre; a constant offset is not counted
 };
 
 /// Names of all scenes of the table.

@@ -5,6 +5,7 @@
 
 #include "column_track.h"
 #include "control_variates.h"
+#include "width_growth.h"
 
 namespace weld_profiler
 {
@@ -55,6 +56,7 @@ private:
     Mean3,
     Mean9,
     Mean27,  // rows
+    Faded,   // offset that light feigns which fades out beside a break, taken off whole
     Feigned3,
     Difference3,  // means over three columns
     Bend,         // second derivative of the line
@@ -76,17 +78,23 @@ private:
   void prepareColumns(const ColumnTrack& track);
   template <class Use>
   void besideBreaks(const ColumnTrack& track, Array sum, float whole, Use&& use) const;
+  void prepareBreaks(const ColumnTrack& track);
   void turnAtBreak(const ColumnTrack& track, int slot);
+  void takeFading(const ColumnTrack& track, int slot);
   void meanSlopes();
   void meanAlong();
   void compareMeans(const ColumnTrack& track);
+  void bendBreaks(const ColumnTrack& track);
   void bendAtBreak(const ColumnTrack& track, int slot);
-  void tellEnds(const ColumnTrack& track);
+  void tellBreaks(const ColumnTrack& track);
+  void tellLost(const ColumnTrack& track, int slot);
+  void tellFaded(int slot);
   void choose(const ColumnTrack& track, int max_aperture);
 
   int slots_ = 0;
   std::array<std::vector<float>, Arrays> arrays_;
   ControlVariates variates_;
+  WidthGrowth growth_;
   std::vector<float> slope_, row_, sigma_, aperture_;
 };
 }  // namespace weld_profiler

@@ -103,6 +103,7 @@ struct ChooseAperture
     int count;
     int max_aperture;
     const StretchScatter* learnt;
+    const float* growth;
     const float *weight, *width, *slope, *n3, *n9, *n27, *n81, *c3, *c9, *c27, *seen9, *seen27, *bend, *difference;
     float *row, *sigma, *aperture;
   };
@@ -115,7 +116,7 @@ struct ChooseAperture
       const int stretch = begin / kStretch;
       const int next = (stretch + 1) * kStretch;
       const int end = next < in.count - kGuard ? next : in.count - kGuard;
-      choose(in, begin, end, in.learnt[stretch]);
+      choose(in, begin, end, in.learnt[stretch], in.growth[stretch]);
       begin = end;
     }
   }
@@ -129,11 +130,17 @@ struct ChooseAperture
     return share < 0.0F ? 0.0F : (share > 1.0F ? 1.0F : share);
   }
 
-  WELD_PROFILER_KERNEL static void choose(const In& in, int begin, int end, const StretchScatter& learnt)
+  WELD_PROFILER_KERNEL static void choose(const In& in, int begin, int end, const StretchScatter& learnt, float growth)
   {
     constexpr float kAlone = 1.0F / 9.0F;  // what one column's own difference counts for beside the mean around it
     constexpr float kSeenByChance = 1.4F;
-    constexpr float kSkew = 0.8F;        // of a column's cut through a curved, oblique stripe
+    constexpr float kSkew = 0.8F;  // of a column's cut through a curved, oblique stripe
+    // What taking off the curvature, itself a difference of means over 9 columns, adds to the variance of a mean: that
+    // of 9 columns is (1 + 2 * 10 / 243, -10 / 243 twice) of them, that of 27 (1 / 3 + 2 * 91 / 972, 1 / 3 twice, -91 /
+    // 972 twice).
+    constexpr float kBent9 = 1.175F;
+    constexpr float kBent27 = 1.53F;
+    constexpr float kGrowing = 1.6F;     // of a column's cut through an oblique stripe that becomes wider
     constexpr float kDisturbed = 16.0F;  // flanks and core differ by four sigmas
     const float v3 = learnt.variance;
     const float told = learnt.told;
@@ -183,16 +190,21 @@ struct ChooseAperture
       const float share9 = most(chosen9, only9);
       const float longer = c27 + share9 * d27;
       const float middle = longer + share3 * (c3 - longer);
-      const float p9 = grain / n9;
-      const float p27 = grain / n27;
+      const float bend = bends[i];
+      const float more9 = bend != 0.0F ? kBent9 : 1.0F;
+      const float more27 = bend != 0.0F ? kBent27 : 1.0F;
+      const float p9 = more9 * grain / n9;
+      const float p27 = more27 * grain / n27;
       const float p_longer = p27 + share9 * share9 * (p9 - p27);
       const float p = p_longer + share3 * share3 * (1.0F / n3 - p_longer);
       const float left9 = most(seen9 - kSeenByChance * noise9, 0.0F);
       const float left27 = most(seen27 - kSeenByChance * noise27, 0.0F);
       const float bias = (1.0F - share3) * (1.0F - share3) * (left9 + (1.0F - share9) * (1.0F - share9) * left27);
       float width = widths[i];
-      const float square = slopes[i] * slopes[i];
-      const float skew = kSkew * bends[i] * square / ((1.0F + square) * (1.0F + square)) * width * width;
+      float slope = slopes[i];
+      const float square = slope * slope;
+      const float part = 1.0F / (1.0F + square);
+      const float skew = (kSkew * bend * square * part + kGrowing * growth * slope) * part * width * width;
       const float off = differences[i] - lean;
       const float apart = off * off;
       const float half = 0.5F * apart;

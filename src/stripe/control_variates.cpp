@@ -19,9 +19,8 @@ constexpr int kNeighbours = 2;       // stretches on either side that are asked 
 constexpr double kCorrelated = 3.0;  // differences of means over common columns: so many count as one
 constexpr double kSurely = 4.0;      // squared significance from which a correction is used
 constexpr double kOutline = 2.5;     // scatter over what noise explains
-constexpr double kLikely = 1.5;
 constexpr double kSpeckleShare = 0.5;      // of the flanks, from which there is speckle beyond doubt
-constexpr double kSpeckled = 1.5;          // more of it where there is speckle
+constexpr double kSpeckled = 2.0;          // more of it where there is speckle
 constexpr double kGrainPerLikeness = 0.8;  // between white noise and a speckle whose neighbours are alike to 0.6
 constexpr double kMostGrain = 2.2;
 constexpr double kLargestShare = 1.1;
@@ -134,7 +133,7 @@ StretchScatter ControlVariates::solve(const Moments& sum)
   // it were noise, and is no noise.
   result.variance = static_cast<float>((seen > kOutline * noise.most ? noise.most : seen) + kLeast);
   const double speckle = std::min(1.0, flanks / kSpeckleShare);
-  result.told = static_cast<float>(std::min(seen, (kLikely + kSpeckled * speckle) * noise.likely) + kLeast);
+  result.told = static_cast<float>(std::min(seen, (1.0 + kSpeckled * speckle) * noise.likely) + kLeast);
   const double alike = 3.0 * seen / std::max<double>(kLeast, sum.fine / sum.count);
   result.grain = static_cast<float>(std::clamp(1.0 + kGrainPerLikeness * speckle * (alike - 1.0), 1.0, kMostGrain));
   result.lean = static_cast<float>(sum.lean / sum.count);

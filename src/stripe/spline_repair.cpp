@@ -23,7 +23,8 @@ constexpr double kRoughestSigmas = 3.0;
 constexpr std::size_t kEndCells = 3;  ///< centres next to a break that may follow its edge
 constexpr double kLeastStep = 1.0;    ///< by which both sides must miss each other in the middle to be a step [px]
 constexpr double kStepPerGap = 0.1;   ///< ... and more for a longer break, in which a smooth line may bend [px / px]
-constexpr double kUnseen = 6.5e-4;    ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
+constexpr double kUnseen = 8.0e-4;    ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
+constexpr double kShared = 0.67;      ///< of an error is the same in neighbours that were measured over common pixels
 static_assert(2 * kSideCells <= NaturalSpline::kMostKnots, "the literal reading passes through all of them");
 
 /// The centres either side of a break, [first, left] and [right, last].
@@ -90,8 +91,8 @@ public:
     point.normal_angle = normalAngle(along_u_ ? std::atan2(1.0, -slope) : std::atan2(-slope, 1.0));
     point.intensity = (1.0F - share) * left.intensity + share * right.intensity;
     point.width = (1.0F - share) * left.width + share * right.width;
-    point.sigma = static_cast<float>(std::hypot(sigma_ * (1.0 + curve_.sigmaGain(cell)), unseen) /
-                                     std::sqrt(1.0 + slope * slope));
+    const double seen = sigma_ * std::hypot(kShared, curve_.sigmaGain(cell));
+    point.sigma = static_cast<float>(std::hypot(seen, unseen) / std::sqrt(1.0 + slope * slope));
     point.flags = stripe_flag::kInterpolated;
     return point;
   }

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cmath>
+
+#include "along_stripe.h"
+
+// What AlongStripe does beside columns without a centre. All else is loops over every slot; here are few.
+namespace weld_profiler
+{
+namespace
+{
+constexpr int kGuard = ColumnTrack::kGuard;
+constexpr float kNine = 8.5F;  // columns held: fewer than
+constexpr float kTwentySeven = 26.5F;
+}  // namespace
+
+/// Calls `use(slot)` for every measured column around which a sum of columns held is less than `whole`.
+template <class Use>
+void AlongStripe::besideBreaks(const ColumnTrack& track, Array sum, float whole, Use&& use) const
+{
+  constexpr int kBlock = 64;  // slots that are passed over at once
+  const float* held = arrays_[sum].data();
+  for (int begin = kGuard; begin < slots_ - kGuard; begin += kBlock)
+  {
+    const int end = std::min(begin + kBlock, slots_ - kGuard);
+    int missing = 0;
+    for (int i = begin; i < end; ++i)
+      missing |= held[i] > whole ? 0 : 1;
+    for (int i = begin; missing != 0 && i < end; ++i)
+      if (held[i] <= whole && track.weight[static_cast<std::size_t>(i)] > 0.0F)
+        use(i);
+  }
+}
+
+void AlongStripe::prepareBreaks(const ColumnTrack& track)
+{
+  std::fill(arrays_[Faded].begin(), arrays_[Faded].end(), 0.0F);
+  besideBreaks(track, Sum9, kNine, [&](int slot) { turnAtBreak(track, slot); });
+  besideBreaks(track, Sum27, kTwentySeven, [&](int slot) { takeFading(track, slot); });
+}
+
+/// Beside a break the reference line may lead anywhere: the slope is that of the columns up to it.
+void AlongStripe::turnAtBreak(const ColumnTrack& track, int slot)
+{
+  constexpr int kReach = 8;
+  constexpr int kLeast = 5;
+  const float* weight = track.weight.data() + slot;
+  int before = 0;
+  int after = 0;
+  while (before < kReach && weight[-before - 1] > 0.0F)
+    ++before;
+  while (after < kReach && weight[after + 1] > 0.0F)
+    ++after;
+  if (std::min(before, after) >= 4 || before + after + 1 < kLeast)
+    return;
+  // A parabola by least squares, in polynomials that are orthogonal over evenly spaced columns.
+  const auto count = static_cast<float>(before + after + 1);
+  const float middle = 0.5F * static_cast<float>(after - before);
+  const float mean_square = (count * count - 1.0F) / 12.0F;
+  float first = 0.0F;
+  float second = 0.0F;
+  float second_square = 0.0F;
+  for (int k = -before; k <= after; ++k)
+  {
+    const float t = static_cast<float>(k) - middle;
+    const float q = t * t - mean_square;
+    first += t * at(Offset)[slot + k];
+    second += q * at(Offset)[slot + k];
+    second_square += q * q;
+  }
+  const float slope = first / (mean_square * count) - 2.0F * middle * second / second_square;
+  slope_[static_cast<std::size_t>(slot)] = at(SpareB)[slot] = slope;
+}
+
+/// Where the light fades out toward a break, what that feigns is taken off whole: no scatter along the stripe could
+/// tell it, and the slope is that of the columns farther in.
+void AlongStripe::takeFading(const ColumnTrack& track, int slot)
+{
+  constexpr int kNear = 8;  // columns
+  constexpr int kFar = 13;
+  constexpr float kFaded = 0.7F;
+  constexpr float kFading = 0.95F;
+  const float* weight = track.weight.data() + slot;
+  const float* light = track.light.data() + slot;
+  const float* slope = slope_.data() + slot;
+  int after = kFar + 1;  // distance of the next column that is missing
+  int before = kFar + 1;
+  for (int k = kFar; k >= 1; --k)
+  {
+    after = weight[k] > 0.0F ? after : k;
+    before = weight[-k] > 0.0F ? before : k;
+  }
+  if (std::min(after, before) > kNear || std::max(after, before) <= kFar)
+    return;
+  const int inward = after < before ? -1 : 1;
+  const int last = std::min(after, before) - 1;
+  float full = 0.0F;
+  for (int k = kNear; k <= kFar; ++k)
+    full += light[inward * k] / static_cast<float>(kFar - kNear + 1);
+  if (light[-inward * last] > kFaded * full || light[0] > kFading * full)
+    return;
+  const float rise = 2.0F * slope[inward * kNear] - slope[inward * 2 * kNear];
+  const float right = weight[1] > 0.0F ? light[1] : 0.0F;
+  const float left = weight[-1] > 0.0F ? light[-1] : 0.0F;
+  const float change = 0.5F * (right - left) / std::max(light[0], 1e-3F);
+  const float width = track.sigma[static_cast<std::size_t>(slot + inward * kNear)];
+  const float feigned = width * width * rise / (1.0F + rise * rise) * change;
+  slope_[static_cast<std::size_t>(slot)] = at(SpareB)[slot] = rise;
+  at(Offset)[slot] -= feigned;
+  at(Feigned)[slot] = 0.0F;
+  at(Faded)[slot] = feigned;
+}
+
+void AlongStripe::bendBreaks(const ColumnTrack& track)
+{
+  besideBreaks(track, Sum27, kTwentySeven, [&](int slot) { bendAtBreak(track, slot); });
+}
+
+/// What curvature adds to the means over columns that are not spread evenly about a slot: half the second derivative
+/// times their mean square distance, less what the mean slope has taken off already. It is known a little further in.
+void AlongStripe::bendAtBreak(const ColumnTrack& track, int slot)
+{
+  constexpr int kInward = 13;
+  constexpr float kHalf = 4.5F;
+  constexpr float kWhole = 8.5F;
+  const float* held = at(Sum9);
+  const auto known = [&](int i, float most) { return std::min({ held[i - 9], held[i], held[i + 9] }) > most; };
+  if (known(slot, kHalf))
+    return;
+  int from = 0;
+  for (int k = 1; k <= kInward && from == 0; ++k)
+    from = known(slot + k, kWhole) ? k : (known(slot - k, kWhole) ? -k : 0);
+  if (from == 0)
+    return;
+  const float bend = at(Bend)[slot + from];
+  const auto added = [&](int reach)
+  {
+    float count = 0.0F;
+    float distance = 0.0F;
+    float square = 0.0F;
+    for (int k = -reach; k <= reach; ++k)
+    {
+      const float weight = track.weight[static_cast<std::size_t>(slot + k)];
+      const auto x = static_cast<float>(k);
+      count += weight, distance += weight * x, square += weight * x * x;
+    }
+    const float mean = distance / count;
+    return bend * (0.5F * square / count - (reach > 1 ? mean * mean : 0.0F));
+  };
+  const float mean3 = at(Mean3)[slot] - added(1);
+  const float mean9 = at(Mean9)[slot] - added(4);
+  const float mean27 = at(Mean27)[slot] - added(13);
+  at(SpareA)[slot] = mean3, at(SpareB)[slot] = mean9, at(SpareC)[slot] = mean27;
+  at(Bend)[slot] = bend;
+  at(Square9)[slot] = (mean3 - mean9) * (mean3 - mean9);
+  at(Square27)[slot] = (mean9 - mean27) * (mean9 - mean27);
+}
+
+void AlongStripe::tellBreaks(const ColumnTrack& track)
+{
+  besideBreaks(track, Sum9, kNine, [&](int slot) { tellLost(track, slot); });
+  besideBreaks(track, Sum27, kTwentySeven, [&](int slot) { tellFaded(slot); });
+}
+
+/// Where the light ends within a stripe's width, the last columns hold a part of its profile alone.
+void AlongStripe::tellLost(const ColumnTrack& track, int slot)
+{
+  constexpr float kShift = 0.8F;  // half widths, of a column that holds no light, against its neighbours
+  constexpr int kSide = 4;
+  if (at(Faded)[slot] != 0.0F)
+    return;  // known better
+  const float* weight = track.weight.data() + slot;
+  const float* lights = track.light.data() + slot;
+  float light = 0.0F;
+  for (int k = -kSide; k <= kSide; ++k)
+    light += weight[k] > 0.0F ? lights[k] : 0.0F;
+  light /= at(Sum9)[slot];
+  float lost = 0.0F;
+  for (int k = -1; k <= 1; ++k)
+    lost += weight[k] > 0.0F ? std::max(0.0F, 1.0F - lights[k] / light) : 0.0F;
+  lost /= std::max(1.0F, at(Sum3)[slot]);
+  float& sigma = sigma_[static_cast<std::size_t>(slot)];
+  sigma = std::hypot(sigma, kShift * track.sigma[static_cast<std::size_t>(slot)] * lost);
+}
+
+void AlongStripe::tellFaded(int slot)
+{
+  constexpr float kLeft = 0.25F;  // of what was taken off
+  const float* faded = at(Faded) + slot;
+  float largest = 0.0F;
+  for (int k = -2; k <= 2; ++k)
+    largest = std::max(largest, std::abs(faded[k]));
+  float& sigma = sigma_[static_cast<std::size_t>(slot)];
+  sigma = std::hypot(sigma, kLeft * largest);
+}
+}  // namespace weld_profiler
