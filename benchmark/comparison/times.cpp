@@ -21,6 +21,7 @@ namespace
 {
 constexpr double kCycleBytes = 100e6;  ///< of frames gone through in turn: more than a cache holds
 constexpr double kBudget = 1.2;        ///< for one measurement [s]
+constexpr int kWarmTurn = 8;
 constexpr std::size_t kLeastRounds = 31, kMostRounds = 1500;
 
 struct Size
@@ -87,27 +88,35 @@ enum class Stream
   SearchedAnew  ///< reset before each frame
 };
 
-/// Sum and contestant in turn. Cold: half a cycle apart, so that either finds a frame that the caches have lost.
+/// Sum and contestant in turn. Cold: half a cycle apart, so that either finds a frame that the caches have lost. Warm:
+/// several times each, so that either finds what it left there itself.
 Timing measure(Candidate& candidate, const std::vector<Picture>& frames, Memory memory, Stream stream)
 {
+  const bool cold = memory == Memory::Cold;
+  const int turn = cold ? 1 : kWarmTurn;
   std::vector<double> sums, owns;
   Stripe stripe;
   std::uint64_t kept = 0;
   const double begin = onCore();
   for (std::size_t round = 0; round < kMostRounds + 3; ++round)
   {
-    const std::size_t own = memory == Memory::Cold ? round % frames.size() : 0;
-    const std::size_t other = memory == Memory::Cold ? (round + frames.size() / 2) % frames.size() : 0;
-    const RawImage image = frames[own].raw();
-    if (stream == Stream::SearchedAnew)
-      candidate.reset();
-    const double time = seconds([&] { candidate.process(image, stripe); });
-    const std::vector<std::uint8_t>& bytes = frames[other].bytes;
-    const double sum = seconds([&] { kept += simdSum(bytes.data(), bytes.size()); });
-    if (round < 3)  // warms up
-      continue;
-    owns.push_back(time);
-    sums.push_back(sum);
+    const RawImage image = frames[cold ? round % frames.size() : 0].raw();
+    const std::vector<std::uint8_t>& bytes = frames[cold ? (round + frames.size() / 2) % frames.size() : 0].bytes;
+    const bool counts = round >= 3;  // the first warm up
+    for (int i = 0; i < turn; ++i)
+    {
+      if (stream == Stream::SearchedAnew)
+        candidate.reset();
+      const double time = seconds([&] { candidate.process(image, stripe); });
+      if (counts)
+        owns.push_back(time);
+    }
+    for (int i = 0; i < turn; ++i)
+    {
+      const double time = seconds([&] { kept += simdSum(bytes.data(), bytes.size()); });
+      if (counts)
+        sums.push_back(time);
+    }
     if (owns.size() >= kLeastRounds && onCore() - begin > kBudget)
       break;
   }

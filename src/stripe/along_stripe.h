@@ -76,8 +76,7 @@ private:
   void sum(Array values, int lag, Array to);
   void countColumns(const ColumnTrack& track);
   void prepareColumns(const ColumnTrack& track);
-  template <class Use>
-  void besideBreaks(const ColumnTrack& track, Array sum, float whole, Use&& use) const;
+  void findBreaks(const ColumnTrack& track);
   void prepareBreaks(const ColumnTrack& track);
   void turnAtBreak(const ColumnTrack& track, int slot);
   void takeFading(const ColumnTrack& track, int slot);
@@ -95,6 +94,7 @@ private:
   std::array<std::vector<float>, Arrays> arrays_;
   ControlVariates variates_;
   WidthGrowth growth_;
+  std::vector<int> beside_breaks_;  ///< slots
   std::vector<float> slope_, row_, sigma_, aperture_;
 };
 }  // namespace weld_profiler

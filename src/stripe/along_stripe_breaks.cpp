@@ -9,33 +9,37 @@ namespace weld_profiler
 namespace
 {
 constexpr int kGuard = ColumnTrack::kGuard;
-constexpr float kNine = 8.5F;  // columns held: fewer than
-constexpr float kTwentySeven = 26.5F;
+constexpr float kNine = 8.5F;  // columns held, of nine: fewer than all
 }  // namespace
 
-/// Calls `use(slot)` for every measured column around which a sum of columns held is less than `whole`.
-template <class Use>
-void AlongStripe::besideBreaks(const ColumnTrack& track, Array sum, float whole, Use&& use) const
+/// Slots with a centre, of the 27 columns around which one is missing.
+void AlongStripe::findBreaks(const ColumnTrack& track)
 {
   constexpr int kBlock = 64;  // slots that are passed over at once
-  const float* held = arrays_[sum].data();
+  constexpr float kWhole = 26.5F;
+  const float* held = at(Sum27);
+  beside_breaks_.clear();
   for (int begin = kGuard; begin < slots_ - kGuard; begin += kBlock)
   {
     const int end = std::min(begin + kBlock, slots_ - kGuard);
     int missing = 0;
     for (int i = begin; i < end; ++i)
-      missing |= held[i] > whole ? 0 : 1;
+      missing |= held[i] > kWhole ? 0 : 1;
     for (int i = begin; missing != 0 && i < end; ++i)
-      if (held[i] <= whole && track.weight[static_cast<std::size_t>(i)] > 0.0F)
-        use(i);
+      if (held[i] <= kWhole && track.weight[static_cast<std::size_t>(i)] > 0.0F)
+        beside_breaks_.push_back(i);
   }
 }
 
 void AlongStripe::prepareBreaks(const ColumnTrack& track)
 {
   std::fill(arrays_[Faded].begin(), arrays_[Faded].end(), 0.0F);
-  besideBreaks(track, Sum9, kNine, [&](int slot) { turnAtBreak(track, slot); });
-  besideBreaks(track, Sum27, kTwentySeven, [&](int slot) { takeFading(track, slot); });
+  findBreaks(track);
+  for (const int slot : beside_breaks_)
+    if (at(Sum9)[slot] < kNine)
+      turnAtBreak(track, slot);
+  for (const int slot : beside_breaks_)
+    takeFading(track, slot);
 }
 
 /// Beside a break the reference line may lead anywhere: the slope is that of the columns up to it.
@@ -112,7 +116,8 @@ void AlongStripe::takeFading(const ColumnTrack& track, int slot)
 
 void AlongStripe::bendBreaks(const ColumnTrack& track)
 {
-  besideBreaks(track, Sum27, kTwentySeven, [&](int slot) { bendAtBreak(track, slot); });
+  for (const int slot : beside_breaks_)
+    bendAtBreak(track, slot);
 }
 
 /// What curvature adds to the means over columns that are not spread evenly about a slot: half the second derivative
@@ -157,8 +162,12 @@ void AlongStripe::bendAtBreak(const ColumnTrack& track, int slot)
 
 void AlongStripe::tellBreaks(const ColumnTrack& track)
 {
-  besideBreaks(track, Sum9, kNine, [&](int slot) { tellLost(track, slot); });
-  besideBreaks(track, Sum27, kTwentySeven, [&](int slot) { tellFaded(slot); });
+  for (const int slot : beside_breaks_)
+  {
+    if (at(Sum9)[slot] < kNine)
+      tellLost(track, slot);
+    tellFaded(slot);
+  }
 }
 
 /// Where the light ends within a stripe's width, the last columns hold a part of its profile alone.

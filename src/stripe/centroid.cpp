@@ -40,29 +40,30 @@ void ColumnCentroid::measure(const Task& task, const ColumnTrack& track)
   }
 }
 
-void ColumnCentroid::write(const ColumnTrack& track, const std::vector<SlotChoice::Slot>& slots, float saturation,
+void ColumnCentroid::write(const ColumnTrack& track, const SlotChoice& choice, float saturation,
                            std::vector<Centre>& centres) const
 {
-  centres.resize(slots.size());
-  for (std::size_t i = 0; i < slots.size(); ++i)
-  {
-    const auto slot = static_cast<std::size_t>(slots[i].slot);
-    const double shift = arrays_[Shift][slot];
-    Centre& centre = centres[i];
-    centre = Centre{};
-    centre.cell = slots[i].cell;
-    centre.u = slots[i].cell;
-    centre.v = track.v[slot] + shift;
-    centre.initial_v = centre.v;
-    centre.sigma_column = arrays_[Sigma][slot];
-    centre.background = track.background[slot] + track.gradient[slot] * shift;
-    centre.gradient = track.gradient[slot];
-    centre.amplitude = arrays_[Amplitude][slot];
-    centre.read_sigma = arrays_[ReadSigma][slot];
-    centre.initial_sigma = centre.read_sigma;
-    centre.starts_piece = slots[i].starts_piece;
-    centre.saturated = arrays_[Brightest][slot] >= saturation;
-    centre.ambiguous = slots[i].ambiguous || track.ambiguous[slot] > 0.0F;
-  }
+  centres.resize(choice.size());
+  auto centre = centres.begin();
+  for (const SlotChoice::Run& run : choice.runs())
+    for (int k = 0; k < run.count; ++k, ++centre)
+    {
+      const auto slot = static_cast<std::size_t>(run.slot + k);
+      const double shift = arrays_[Shift][slot];
+      *centre = Centre{};
+      centre->cell = run.cell + k;
+      centre->u = run.cell + k;
+      centre->v = track.v[slot] + shift;
+      centre->initial_v = centre->v;
+      centre->sigma_column = arrays_[Sigma][slot];
+      centre->background = track.background[slot] + track.gradient[slot] * shift;
+      centre->gradient = track.gradient[slot];
+      centre->amplitude = arrays_[Amplitude][slot];
+      centre->read_sigma = arrays_[ReadSigma][slot];
+      centre->initial_sigma = centre->read_sigma;
+      centre->starts_piece = run.starts_piece && k == 0;
+      centre->saturated = arrays_[Brightest][slot] >= saturation;
+      centre->ambiguous = run.ambiguous || track.ambiguous[slot] > 0.0F;
+    }
 }
 }  // namespace weld_profiler

@@ -41,9 +41,8 @@ public:
   /// Of each slot; 0 = no centroid.
   const std::vector<float>& light() const { return arrays_[Light]; }
 
-  /// @param centres  one a slot.
-  void write(const ColumnTrack& track, const std::vector<SlotChoice::Slot>& slots, float saturation,
-             std::vector<Centre>& centres) const;
+  /// @param centres  one a chosen slot.
+  void write(const ColumnTrack& track, const SlotChoice& choice, float saturation, std::vector<Centre>& centres) const;
 
 private:
   enum Array

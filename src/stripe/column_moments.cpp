@@ -112,17 +112,18 @@ struct MeasureColumns
     Sums sums;
     const Pixel* pixels = strip.image.row<Pixel>(begin) + strip.cell + first;
     const std::size_t stride = strip.image.step / sizeof(Pixel);
-    for (int row = begin; row <= end; ++row, pixels += stride)
+    const Lanes above = static_cast<float>(begin) - v;
+    Lanes z = above * scale;
+    Lanes dark = background + gradient * above;
+    for (int row = begin; row <= end; ++row, pixels += stride, z += scale, dark += gradient)
     {
       __builtin_prefetch(pixels + kAhead);
-      const Lanes y = static_cast<float>(row) - v;
-      const Lanes z = y * scale;
       const Lanes square = z * z;
       Lanes t = 1.0F - 0.0625F * square;
       t = t > 0.0F ? t : Lanes{};
       Lanes gray;
       load(pixels, gray);
-      const Lanes light = gray - background - gradient * y;
+      const Lanes light = gray - dark;
       const Lanes t2 = t * t;
       const Lanes t3 = t2 * t;
       const Lanes weighted = t3 * t3 * light;

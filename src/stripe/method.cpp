@@ -50,7 +50,7 @@ void MethodBase::extract(const ImageView& image, const StripeHint& hint, Workspa
   const StripeLimits limits = limitsOf(params_, levels, scratch.finder.noise());
   scratch.centroid.measure({ image, limits, weight() }, scratch.track);
   scratch.choice.choose(scratch.track, scratch.centroid.light(), image.width);
-  scratch.centroid.write(scratch.track, scratch.choice.chosen(), limits.saturation, scratch.centres);
+  scratch.centroid.write(scratch.track, scratch.choice, limits.saturation, scratch.centres);
   measureSlopes(scratch.centres);
   refine(image, scratch);
   finish(params_, levels, workspace, stripe);

@@ -90,54 +90,48 @@ struct Finish
 
 void RidgeCentres::fill(const AlongStripe& along, Stripe& stripe, std::vector<std::uint16_t>& aperture) const
 {
-  const std::vector<SlotChoice::Slot>& chosen = choice_.chosen();
-  stripe.resize(chosen.size());
-  aperture.resize(chosen.size());
-  // Slots that follow one another, which is nearly all of them, are copied at once.
-  for (std::size_t begin = 0, end = 0; begin < chosen.size(); begin = end)
+  stripe.resize(choice_.size());
+  aperture.resize(choice_.size());
+  std::ptrdiff_t to = 0;
+  for (const SlotChoice::Run& run : choice_.runs())
   {
-    for (end = begin + 1; end < chosen.size() && chosen[end].slot == chosen[end - 1].slot + 1;)
-      ++end;
-    const int count = static_cast<int>(end - begin);
-    const int cell = chosen[begin].cell;
-    const float* columns = along.aperture().data() + chosen[begin].slot;
-    std::uint16_t* cells = stripe.cell.data() + begin;
-    float* u = stripe.u.data() + begin;
-    std::uint16_t* apertures = aperture.data() + begin;
-    for (int k = 0; k < count; ++k)
-      cells[k] = static_cast<std::uint16_t>(cell + k);
-    for (int k = 0; k < count; ++k)
-      u[k] = static_cast<float>(cell + k);
-    for (int k = 0; k < count; ++k)
+    const float* columns = along.aperture().data() + run.slot;
+    std::uint16_t* cells = stripe.cell.data() + to;
+    float* u = stripe.u.data() + to;
+    std::uint16_t* apertures = aperture.data() + to;
+    std::uint8_t* flags = stripe.flags.data() + to;
+    const std::uint8_t* told = flags_.data() + run.slot;
+    const std::uint8_t ambiguous = run.ambiguous ? stripe_flag::kAmbiguous : 0;
+    for (int k = 0; k < run.count; ++k)
+      cells[k] = static_cast<std::uint16_t>(run.cell + k);
+    for (int k = 0; k < run.count; ++k)
+      u[k] = static_cast<float>(run.cell + k);
+    for (int k = 0; k < run.count; ++k)
       apertures[k] = static_cast<std::uint16_t>(static_cast<int>(columns[k]));
-    const auto flags = flags_.begin() + chosen[begin].slot;
-    std::copy(flags, flags + count, stripe.flags.begin() + static_cast<std::ptrdiff_t>(begin));
-    const auto copy = [&](const std::vector<float>& values, std::vector<float>& to)
-    {
-      const auto from = values.begin() + chosen[begin].slot;
-      std::copy(from, from + static_cast<std::ptrdiff_t>(end - begin), to.begin() + static_cast<std::ptrdiff_t>(begin));
-    };
+    for (int k = 0; k < run.count; ++k)
+      flags[k] = static_cast<std::uint8_t>(told[k] | ambiguous);
+    const auto copy = [&](const std::vector<float>& values, std::vector<float>& field)
+    { std::copy_n(values.begin() + run.slot, run.count, field.begin() + to); };
     copy(along.row(), stripe.v);
     copy(angle_, stripe.normal_angle);
     copy(intensity_, stripe.intensity);
     copy(width_, stripe.width);
     copy(sigma_, stripe.sigma);
+    to += run.count;
   }
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-    if (chosen[i].ambiguous)
-      stripe.flags[i] |= stripe_flag::kAmbiguous;
 }
 
 void RidgeCentres::trace(const ColumnTrack& track, std::vector<InitialPoint>& initial) const
 {
-  for (const SlotChoice::Slot& chosen : choice_.chosen())
-  {
-    InitialPoint point;
-    point.u = point.block_u = static_cast<float>(chosen.cell);
-    point.v = track.v[chosen.slot] + track.core[chosen.slot];
-    point.block_v = std::round(point.v);
-    initial.push_back(point);
-  }
+  for (const SlotChoice::Run& run : choice_.runs())
+    for (int k = 0; k < run.count; ++k)
+    {
+      InitialPoint point;
+      point.u = point.block_u = static_cast<float>(run.cell + k);
+      point.v = track.v[run.slot + k] + track.core[run.slot + k];
+      point.block_v = std::round(point.v);
+      initial.push_back(point);
+    }
 }
 
 void RidgeCentres::write(const ColumnTrack& track, const AlongStripe& along, const StripeLimits& limits, int cells,

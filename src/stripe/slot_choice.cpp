@@ -33,32 +33,86 @@ void SlotChoice::overlay(const ColumnTrack& track, const std::vector<float>& lig
     }
 }
 
-void SlotChoice::choose(const ColumnTrack& track, const std::vector<float>& light, int cells)
+/// The slots of one piece that have light: whole blocks of them, as nearly all are, at once.
+void SlotChoice::runsOfOne(const ColumnTrack::Piece& piece, const std::vector<float>& light)
 {
-  slots_.assign(static_cast<std::size_t>(cells), -1);
-  close_.assign(static_cast<std::size_t>(cells), 0);
-  overlay(track, light);
-  chosen_.resize(static_cast<std::size_t>(cells));
-  std::size_t count = 0;
-  std::size_t begin = 0;  // of what lies between two gaps
-  const auto dropShort = [&] { count = count - begin < kLeastCells ? begin : count; };
-  Slot last{ -kSmallGap - 2, -1, false, false };
+  constexpr int kBlock = 64;
+  const float* lights = light.data() + piece.slot;
+  bool inside = false;
+  const auto step = [&](int at, bool lit)
+  {
+    if (lit && !inside)
+      runs_.push_back(Run{ piece.cell + at, piece.slot + at, 0, false, false });
+    if (!lit && inside)
+      runs_.back().count = piece.cell + at - runs_.back().cell;
+    inside = lit;
+  };
+  for (int begin = 0; begin < piece.count; begin += kBlock)
+  {
+    const int end = begin + kBlock < piece.count ? begin + kBlock : piece.count;
+    int dark = 0;
+    for (int k = begin; k < end; ++k)
+      dark |= lights[k] > 0.0F ? 0 : 1;
+    if (dark == 0)
+      step(begin, true);
+    for (int k = begin; dark != 0 && k < end; ++k)
+      step(k, lights[k] > 0.0F);
+  }
+  step(piece.count, false);
+}
+
+void SlotChoice::runsOfCells(int cells)
+{
   for (int cell = 0; cell < cells; ++cell)
   {
     const int slot = slots_[cell];
     if (slot < 0)
       continue;
-    const bool gap = cell - last.cell > kSmallGap + 1;
-    if (gap)
+    const bool ambiguous = close_[cell] != 0;
+    Run* last = runs_.empty() ? nullptr : &runs_.back();
+    if (last != nullptr && last->ambiguous == ambiguous && cell - last->cell == last->count &&
+        slot - last->slot == last->count)
+      ++last->count;
+    else
+      runs_.push_back(Run{ cell, slot, 1, false, ambiguous });
+  }
+}
+
+/// Tells where the line is torn, and drops what is left of too few cells between two gaps.
+void SlotChoice::dropShort()
+{
+  size_ = 0;
+  std::size_t kept = 0;
+  for (std::size_t begin = 0, end = 0; begin < runs_.size(); begin = end)
+  {
+    const auto gapBefore = [&](std::size_t i)
+    { return runs_[i].cell - (runs_[i - 1].cell + runs_[i - 1].count - 1) > kSmallGap + 1; };
+    auto count = static_cast<std::size_t>(runs_[begin].count);
+    for (end = begin + 1; end < runs_.size() && !gapBefore(end); ++end)
     {
-      dropShort();
-      begin = count;
+      runs_[end].starts_piece = runs_[end].slot - runs_[end - 1].slot != runs_[end].cell - runs_[end - 1].cell;
+      count += static_cast<std::size_t>(runs_[end].count);
     }
-    const bool torn = gap || slot - last.slot != cell - last.cell;
-    last = Slot{ cell, slot, torn, close_[cell] != 0 };
-    chosen_[count++] = last;
+    runs_[begin].starts_piece = true;
+    for (std::size_t i = begin; count >= kLeastCells && i < end; ++i)
+      runs_[kept++] = runs_[i];
+    size_ += count >= kLeastCells ? count : 0;
+  }
+  runs_.resize(kept);
+}
+
+void SlotChoice::choose(const ColumnTrack& track, const std::vector<float>& light, int cells)
+{
+  runs_.clear();
+  if (track.pieces.size() == 1)
+    runsOfOne(track.pieces.front(), light);
+  else
+  {
+    slots_.assign(static_cast<std::size_t>(cells), -1);
+    close_.assign(static_cast<std::size_t>(cells), 0);
+    overlay(track, light);
+    runsOfCells(cells);
   }
   dropShort();
-  chosen_.resize(count);
 }
 }  // namespace weld_profiler

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,11 +13,12 @@ namespace weld_profiler
 class SlotChoice
 {
 public:
-  struct Slot
+  /// Neighbouring cells whose slots are neighbours as well.
+  struct Run
   {
-    int cell, slot;
+    int cell, slot, count;
     bool starts_piece;  ///< the line is torn before it: another piece, or a gap of more than 3 cells
-    bool ambiguous;     ///< a second piece was nearly as bright
+    bool ambiguous;     ///< a second piece was nearly as bright, in all of its cells
   };
 
   /// @param light  of each slot; 0 = not to be chosen.
@@ -24,13 +26,19 @@ public:
   void choose(const ColumnTrack& track, const std::vector<float>& light, int cells);
 
   /// In rising cells.
-  const std::vector<Slot>& chosen() const { return chosen_; }
+  const std::vector<Run>& runs() const { return runs_; }
+  /// Cells of all runs.
+  std::size_t size() const { return size_; }
 
 private:
   void overlay(const ColumnTrack& track, const std::vector<float>& light);
+  void runsOfOne(const ColumnTrack::Piece& piece, const std::vector<float>& light);
+  void runsOfCells(int cells);
+  void dropShort();
 
   std::vector<int> slots_;           ///< of each cell; -1 = none
   std::vector<std::uint8_t> close_;  ///< of each cell: a second piece was nearly as bright
-  std::vector<Slot> chosen_;
+  std::vector<Run> runs_;
+  std::size_t size_ = 0;
 };
 }  // namespace weld_profiler

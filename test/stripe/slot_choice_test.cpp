@@ -29,6 +29,25 @@ struct Pieces
 
 constexpr int kCells = 60;
 
+struct Chosen
+{
+  int cell, slot;
+  bool starts_piece, ambiguous;
+};
+
+/// What was chosen, cell by cell.
+std::vector<Chosen> chosen(const Pieces& pieces)
+{
+  SlotChoice choice;
+  choice.choose(pieces.track, pieces.light, kCells);
+  std::vector<Chosen> cells;
+  for (const SlotChoice::Run& run : choice.runs())
+    for (int k = 0; k < run.count; ++k)
+      cells.push_back({ run.cell + k, run.slot + k, run.starts_piece && k == 0, run.ambiguous });
+  EXPECT_EQ(choice.size(), cells.size());
+  return cells;
+}
+
 TEST(SlotChoice, LetsTheBrighterOfTwoPiecesSpeakAndFlagsACloseCall)
 {
   for (const float second : { 90.0F, 30.0F, 120.0F })
@@ -36,12 +55,11 @@ TEST(SlotChoice, LetsTheBrighterOfTwoPiecesSpeakAndFlagsACloseCall)
     Pieces pieces;
     pieces.add(5, 20, 100.0F);
     pieces.add(15, 20, second);
-    SlotChoice choice;
-    choice.choose(pieces.track, pieces.light, kCells);
-    ASSERT_EQ(choice.chosen().size(), 30U);
+    const std::vector<Chosen> cells = chosen(pieces);
+    ASSERT_EQ(cells.size(), 30U);
     for (std::size_t i = 0; i < 30; ++i)
     {
-      const SlotChoice::Slot& slot = choice.chosen()[i];
+      const Chosen& slot = cells[i];
       const bool both = slot.cell >= 15 && slot.cell < 25;
       ASSERT_EQ(slot.cell, 5 + static_cast<int>(i));
       const bool later = slot.cell >= 25 || (both && second > 100.0F);
@@ -60,10 +78,9 @@ TEST(SlotChoice, DropsFewerThanFiveCellsBetweenGapsOfMoreThanThree)
     pieces.add(0, 50, 100.0F);
     for (int cell = 10; cell < 40; ++cell)
       pieces.at(0, cell) = cell >= 20 && cell < 20 + length ? 100.0F : 0.0F;
-    SlotChoice choice;
-    choice.choose(pieces.track, pieces.light, kCells);
-    ASSERT_EQ(choice.chosen().size(), length < 5 ? 20U : 25U);
-    for (const SlotChoice::Slot& slot : choice.chosen())
+    const std::vector<Chosen> cells = chosen(pieces);
+    ASSERT_EQ(cells.size(), length < 5 ? 20U : 25U);
+    for (const Chosen& slot : cells)
       EXPECT_EQ(slot.starts_piece, slot.cell == 0 || slot.cell == 20 || slot.cell == 40) << "cell " << slot.cell;
   }
 }
@@ -74,11 +91,10 @@ TEST(SlotChoice, BridgesThreeMissingCells)
   pieces.add(0, 20, 100.0F);
   for (int cell = 8; cell < 11; ++cell)
     pieces.at(0, cell) = 0.0F;
-  SlotChoice choice;
-  choice.choose(pieces.track, pieces.light, kCells);
-  ASSERT_EQ(choice.chosen().size(), 17U);
+  const std::vector<Chosen> cells = chosen(pieces);
+  ASSERT_EQ(cells.size(), 17U);
   for (std::size_t i = 1; i < 17; ++i)
-    EXPECT_FALSE(choice.chosen()[i].starts_piece);
+    EXPECT_FALSE(cells[i].starts_piece);
 }
 }  // namespace
 }  // namespace weld_profiler
