@@ -1,124 +1,33 @@
 #include "path_track.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "medians.h"
 #include "multiversion.h"
 
 namespace weld_profiler
 {
 namespace
 {
-constexpr float kFwhmPerSigma = 2.355F;
-constexpr float kNarrowest = 0.6F;    // [px]
-constexpr float kFlankSigmas = 4.0F;  // where the background begins
-constexpr float kClearSigmas = 2.5F;  // that another top must stay off it
-constexpr int kFlankSamples = 3;
-constexpr float kFoot = 0.2F;      // share of the height below which samples do not count for the centre
 constexpr int kOverhang = 8;       // columns that a piece is laid beyond its last node's group
 constexpr float kSteepest = 2.0F;  // rows a column that a line is laid on with
 
-float median3(float a, float b, float c)
-{
-  return std::max(std::min(a, b), std::min(std::max(a, b), c));
-}
-
-float median5(const std::array<float, 5>& values)
-{
-  const float low = std::max(std::min(values[0], values[1]), std::min(values[3], values[4]));
-  const float high = std::min(std::max(values[0], values[1]), std::max(values[3], values[4]));
-  return median3(low, values[2], high);
-}
-
-/// Rows, from the top's, at which the profile falls through half of its height on one side.
-float halfWidth(const GroupSums& sums, const PathNode& node, int side)
-{
-  const float half = node.peak.top - 0.5F * node.peak.height;
-  float before = node.peak.top;
-  const int reach = std::max(1, GroupPeaks::kReach / sums.rowStep());
-  for (int i = 1; i <= reach; ++i)
-  {
-    const int row = node.peak.row + side * i;
-    if (row < 0 || row >= sums.rows())
-      return static_cast<float>(i);
-    const float here = sums.row(row)[node.group];
-    if (here <= half)
-      return static_cast<float>(i - 1) + (before - half) / std::max(1.0F, before - here);
-    before = here;
-  }
-  return static_cast<float>(reach);
-}
-
-/// Level of one flank; negative = outside the image.
-float flank(const GroupSums& sums, int group, int first)
-{
-  if (first < 0 || first + kFlankSamples > sums.rows())
-    return -1.0F;
-  return median3(sums.row(first)[group], sums.row(first + 1)[group], sums.row(first + 2)[group]);
-}
 }  // namespace
-
-PathTrack::Node PathTrack::measure(const GroupSums& sums, const PathNode& node)
-{
-  const auto step = static_cast<float>(sums.rowStep());
-  const float left = halfWidth(sums, node, -1);
-  const float right = halfWidth(sums, node, 1);
-  Node result;
-  result.u = sums.middle(node.group);
-  result.sigma = std::max(kNarrowest, step * (left + right) / kFwhmPerSigma);
-  result.starts_piece = node.starts_piece;
-  result.ambiguous = node.ambiguous ? 1.0F : 0.0F;
-
-  const float floor = node.peak.top - (1.0F - kFoot) * node.peak.height;
-  float weight = 0.0F;
-  float moment = 0.0F;
-  const int first = std::max(0, node.peak.row - static_cast<int>(std::ceil(left)));
-  const int last = std::min(sums.rows() - 1, node.peak.row + static_cast<int>(std::ceil(right)));
-  for (int i = first; i <= last; ++i)
-  {
-    const float light = std::max(0.0F, sums.row(i)[node.group] - floor);
-    weight += light;
-    moment += light * static_cast<float>(i);
-  }
-  const float middle = moment / std::max(1.0F, weight);
-  result.v = step * middle;
-
-  const int reach = static_cast<int>(std::ceil(kFlankSigmas * result.sigma / step));
-  const int centre = static_cast<int>(std::lround(middle));
-  // Where another top stands in a flank, the light there is not the background.
-  const int clear = reach + kFlankSamples + static_cast<int>(std::ceil(kClearSigmas * result.sigma / step));
-  const bool free_above = node.free_above > clear || node.free_below <= clear;
-  const bool free_below = node.free_below > clear || node.free_above <= clear;
-  const float above = free_above ? flank(sums, node.group, centre - reach - kFlankSamples + 1) : -1.0F;
-  const float below = free_below ? flank(sums, node.group, centre + reach) : -1.0F;
-  const float base = node.peak.top - node.peak.height;
-  if (above >= 0.0F && below >= 0.0F)
-  {
-    result.background = 0.5F * (above + below);
-    result.gradient = (below - above) / (step * static_cast<float>(2 * reach + kFlankSamples - 1));
-  }
-  else
-    result.background = above >= 0.0F ? above : (below >= 0.0F ? below : base);
-  result.background /= sums.perLevel();
-  result.gradient /= sums.perLevel();
-  result.span = step * static_cast<float>(2 * reach + kFlankSamples - 1);
-  return result;
-}
 
 /// A group's profile is wider than a column's where the stripe is oblique.
 void PathTrack::takeSmear(std::size_t begin, std::size_t end)
 {
   for (std::size_t i = begin; i < end; ++i)
   {
-    const Node& a = nodes_[i > begin ? i - 1 : i];
-    const Node& b = nodes_[i + 1 < end ? i + 1 : i];
+    const GroupProfile& a = nodes_[i > begin ? i - 1 : i];
+    const GroupProfile& b = nodes_[i + 1 < end ? i + 1 : i];
     const float rise = b.u > a.u ? kGroup * (b.v - a.v) / (b.u - a.u) : 0.0F;
     const float square = nodes_[i].sigma * nodes_[i].sigma;
     evened_[i] = std::sqrt(std::max(square - rise * rise / 12.0F, 0.25F * square));
   }
   for (std::size_t i = begin; i < end; ++i)
-    nodes_[i].sigma = std::max(kNarrowest, evened_[i]);
+    nodes_[i].sigma = std::max(GroupProfile::kNarrowest, evened_[i]);
 }
 
 /// Background that noise alone could make slope is taken for level: its slope would move every centre around.
@@ -136,7 +45,7 @@ void PathTrack::dropUnsureGradients(std::size_t begin, std::size_t end, float no
 }
 
 /// Running mean of nine neighbours.
-void PathTrack::smooth(std::size_t begin, std::size_t end, float Node::*field)
+void PathTrack::smooth(std::size_t begin, std::size_t end, float GroupProfile::*field)
 {
   constexpr std::size_t kSide = 4;
   for (std::size_t i = begin; i < end; ++i)
@@ -152,7 +61,7 @@ void PathTrack::smooth(std::size_t begin, std::size_t end, float Node::*field)
 }
 
 /// Median of five neighbours.
-void PathTrack::evenOut(std::size_t begin, std::size_t end, float Node::*field)
+void PathTrack::evenOut(std::size_t begin, std::size_t end, float GroupProfile::*field)
 {
   for (std::size_t i = begin; i < end; ++i)
   {
@@ -214,12 +123,12 @@ void PathTrack::layPiece(std::size_t begin, std::size_t end, int columns, Column
   piece.slot = (track.pieces.empty() ? 0 : track.pieces.back().slot + track.pieces.back().count) + ColumnTrack::kGuard;
   track.pieces.push_back(piece);
   // Straight from node to node; beyond the ends the line goes on, and all else stays what it is there.
-  const auto segment = [&](int from, int until, const Node& a, const Node& b)
+  const auto segment = [&](int from, int until, const GroupProfile& a, const GroupProfile& b)
   {
     const float scale = b.u > a.u ? 1.0F / (b.u - a.u) : 0.0F;
     const bool between = static_cast<float>(from) >= a.u && static_cast<float>(until - 1) <= b.u;
     const float share = between ? scale : 0.0F;
-    const Node& near = static_cast<float>(from) >= b.u ? b : a;
+    const GroupProfile& near = static_cast<float>(from) >= b.u ? b : a;
     Line line{};
     line.slot = piece.slot + from - piece.cell;
     line.count = until - from;
@@ -260,12 +169,12 @@ void PathTrack::lay(const GroupSums& sums, const std::vector<PathNode>& nodes, f
   const int columns = sums.columns();
   nodes_.clear();
   for (const PathNode& node : nodes)
-    nodes_.push_back(measure(sums, node));
+    nodes_.push_back(measureGroup(sums, node));
   evened_.resize(nodes_.size());
   track.pieces.clear();
   // Pieces overlap by their overhangs and have guards: no more slots than this.
   std::size_t pieces = 0;
-  for (const Node& node : nodes_)
+  for (const GroupProfile& node : nodes_)
     pieces += node.starts_piece ? 1 : 0;
   track.resize(static_cast<std::size_t>(columns) + (pieces + 1) * (2 * ColumnTrack::kGuard + 2 * (kOverhang + kGroup)));
   for (std::size_t begin = 0, end = 0; begin < nodes_.size(); begin = end)
@@ -273,11 +182,11 @@ void PathTrack::lay(const GroupSums& sums, const std::vector<PathNode>& nodes, f
     for (end = begin + 1; end < nodes_.size() && !nodes_[end].starts_piece;)
       ++end;
     takeSmear(begin, end);
-    evenOut(begin, end, &Node::sigma);
-    evenOut(begin, end, &Node::background);
-    evenOut(begin, end, &Node::gradient);
-    smooth(begin, end, &Node::background);
-    smooth(begin, end, &Node::gradient);
+    evenOut(begin, end, &GroupProfile::sigma);
+    evenOut(begin, end, &GroupProfile::background);
+    evenOut(begin, end, &GroupProfile::gradient);
+    smooth(begin, end, &GroupProfile::background);
+    smooth(begin, end, &GroupProfile::gradient);
     dropUnsureGradients(begin, end, noise);
     layPiece(begin, end, columns, track);
     track.layOn(track.pieces.back());
