@@ -15,7 +15,8 @@ namespace
 /// 1-sigma of a result across the stripe: the step, counted twice, misses by as much as the centre lies from the middle
 /// of its pixel block, which is anything within half a pixel (docs/paper.md measures 0.27 to 0.42). [px]
 const double kMiss = 1.0 / std::sqrt(12.0);
-constexpr double kTear = 3.0;  ///< rows from which neighbouring columns are not one piece
+constexpr double kPixel = 0.2887;  ///< 1-sigma half width of one row of pixels: 1 / sqrt(12) [px]
+constexpr double kTear = 3.0;      ///< rows from which neighbouring columns are not one piece
 
 /// Eq. 4 over the pixels of a column that lie above the threshold.
 template <class Pixel>
@@ -38,7 +39,8 @@ bool maskedCentroid(const ImageView& image, const Levels& levels, double thresho
   if (!(weight > 0.0))
     return false;
   centre.v = moment / weight;
-  centre.sigma_column = std::sqrt(2.0 * std::max(0.0, second / weight - centre.v * centre.v));
+  // One row alone is as wide as a pixel.
+  centre.sigma_column = std::max(kPixel, std::sqrt(2.0 * std::max(0.0, second / weight - centre.v * centre.v)));
   centre.amplitude = top - centre.background;
   centre.saturated = top >= levels.saturation;
   return true;

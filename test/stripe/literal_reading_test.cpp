@@ -107,5 +107,22 @@ TEST(LiteralReading, IsThePapersTextLineByLine)
   }
   EXPECT_GT(compared, 30);
 }
+TEST(LiteralReading, AStripeOfOneRowHasAWidth)
+{
+  Picture picture;
+  picture.width = 60;
+  picture.height = 40;
+  picture.bytes.assign(60 * 40, 10);
+  for (int u = 0; u < 60; ++u)
+    picture.bytes[static_cast<std::size_t>(20 * 60 + u)] = static_cast<std::uint8_t>(200 + u % 3);
+  StripeParams params = test_support::paramsOf("pca");
+  params.taylor = "literal";
+  params.median_size_px = 0;
+  params.min_stripe_width_px = 0.0;
+  const Stripe stripe = test_support::extract(params, picture);
+  ASSERT_GT(stripe.size(), 30U);
+  for (const float width : stripe.width)
+    EXPECT_GT(width, 0.0F);
+}
 }  // namespace
 }  // namespace weld_profiler
