@@ -57,6 +57,7 @@ private:
     Mean9,
     Mean27,  // rows
     Faded,   // offset that light feigns which fades out beside a break, taken off whole
+    Unsure,  // what a change of the curvature beside a break may make of a centre
     Feigned3,
     Difference3,  // means over three columns
     Bend,         // second derivative of the line
@@ -78,6 +79,7 @@ private:
   void prepareColumns(const ColumnTrack& track);
   void findBreaks(const ColumnTrack& track);
   void prepareBreaks(const ColumnTrack& track);
+  static bool atBorder(const ColumnTrack& track, int slot);
   void turnAtBreak(const ColumnTrack& track, int slot);
   void takeFading(const ColumnTrack& track, int slot);
   void meanSlopes();

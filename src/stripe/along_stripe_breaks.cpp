@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "along_stripe.h"
+#include "aperture_kernels.h"
 
 // What AlongStripe does beside columns without a centre. All else is loops over every slot; here are few.
 namespace weld_profiler
@@ -9,6 +10,7 @@ namespace weld_profiler
 namespace
 {
 constexpr int kGuard = ColumnTrack::kGuard;
+constexpr int kSide = 13;      // columns on either side of a mean over 27
 constexpr float kNine = 8.5F;  // columns held, of nine: fewer than all
 }  // namespace
 
@@ -34,15 +36,31 @@ void AlongStripe::findBreaks(const ColumnTrack& track)
 void AlongStripe::prepareBreaks(const ColumnTrack& track)
 {
   std::fill(arrays_[Faded].begin(), arrays_[Faded].end(), 0.0F);
+  std::fill(arrays_[Unsure].begin(), arrays_[Unsure].end(), 0.0F);
   findBreaks(track);
   for (const int slot : beside_breaks_)
     if (at(Sum9)[slot] < kNine)
       turnAtBreak(track, slot);
   for (const int slot : beside_breaks_)
-    takeFading(track, slot);
+    if (!atBorder(track, slot))
+      takeFading(track, slot);
 }
 
-/// Beside a break the reference line may lead anywhere: the slope is that of the columns up to it.
+/// Where the image ends, not the light.
+bool AlongStripe::atBorder(const ColumnTrack& track, int slot)
+{
+  for (const ColumnTrack::Piece& piece : track.pieces)
+  {
+    const int first = slot - piece.slot;
+    const int last = piece.slot + piece.count - 1 - slot;
+    if (first >= 0 && last >= 0)
+      return (piece.cell == 0 && first <= kSide) || (piece.cell + piece.count == track.columns && last <= kSide);
+  }
+  return false;
+}
+
+/// Beside a break the reference line may lead anywhere: the slope is that of the columns up to it, on a parabola as far
+/// as they are bent beyond doubt.
 void AlongStripe::turnAtBreak(const ColumnTrack& track, int slot)
 {
   constexpr int kReach = 8;
@@ -63,15 +81,25 @@ void AlongStripe::turnAtBreak(const ColumnTrack& track, int slot)
   float first = 0.0F;
   float second = 0.0F;
   float second_square = 0.0F;
+  float sum = 0.0F;
+  float squares = 0.0F;
+  const float here = at(Offset)[slot];
   for (int k = -before; k <= after; ++k)
   {
     const float t = static_cast<float>(k) - middle;
     const float q = t * t - mean_square;
-    first += t * at(Offset)[slot + k];
-    second += q * at(Offset)[slot + k];
+    const float row = at(Offset)[slot + k] - here;
+    first += t * row;
+    second += q * row;
     second_square += q * q;
+    sum += row;
+    squares += row * row;
   }
-  const float slope = first / (mean_square * count) - 2.0F * middle * second / second_square;
+  const float first_square = mean_square * count;
+  const float rest = squares - sum * sum / count - first * first / first_square - second * second / second_square;
+  const float variance = std::max(rest, 0.0F) / std::max(1.0F, count - 3.0F);
+  const float bent = sureOf(second / second_square, variance / second_square);
+  const float slope = first / first_square - 2.0F * middle * bent;
   slope_[static_cast<std::size_t>(slot)] = at(SpareB)[slot] = slope;
 }
 
@@ -79,30 +107,32 @@ void AlongStripe::turnAtBreak(const ColumnTrack& track, int slot)
 /// tell it, and the slope is that of the columns farther in.
 void AlongStripe::takeFading(const ColumnTrack& track, int slot)
 {
-  constexpr int kNear = 8;  // columns
-  constexpr int kFar = 13;
-  constexpr float kFaded = 0.7F;
+  constexpr int kNear = 8;  // columns from the break within which it fades
+  constexpr float kFaded = 0.5F;
   constexpr float kFading = 0.95F;
   const float* weight = track.weight.data() + slot;
   const float* light = track.light.data() + slot;
   const float* slope = slope_.data() + slot;
-  int after = kFar + 1;  // distance of the next column that is missing
-  int before = kFar + 1;
-  for (int k = kFar; k >= 1; --k)
+  int after = kSide + 1;  // distance of the next column that is missing
+  int before = kSide + 1;
+  for (int k = kSide; k >= 1; --k)
   {
     after = weight[k] > 0.0F ? after : k;
     before = weight[-k] > 0.0F ? before : k;
   }
-  if (std::min(after, before) > kNear || std::max(after, before) <= kFar)
+  if (std::min(after, before) > kNear || std::max(after, before) <= kSide)
     return;
   const int inward = after < before ? -1 : 1;
-  const int last = std::min(after, before) - 1;
+  const float* last = light - inward * (std::min(after, before) - 1);
   float full = 0.0F;
-  for (int k = kNear; k <= kFar; ++k)
-    full += light[inward * k] / static_cast<float>(kFar - kNear + 1);
-  if (light[-inward * last] > kFaded * full || light[0] > kFading * full)
+  for (int k = kNear; k <= kSide; ++k)
+    full += light[inward * k] / static_cast<float>(kSide - kNear + 1);
+  const bool falls = last[0] < last[inward] && last[inward] < last[2 * inward];
+  if (!falls || last[0] > kFaded * full || light[0] > kFading * full)
     return;
-  const float rise = 2.0F * slope[inward * kNear] - slope[inward * 2 * kNear];
+  const bool bent = weight[inward * 2 * kNear] > 0.0F && weight[inward * (2 * kNear + 4)] > 0.0F;
+  const float rise = slope[inward * kNear] + (bent ? slope[inward * kNear] - slope[inward * 2 * kNear] : 0.0F);
+  // The last column's neighbour holds no light.
   const float right = weight[1] > 0.0F ? light[1] : 0.0F;
   const float left = weight[-1] > 0.0F ? light[-1] : 0.0F;
   const float change = 0.5F * (right - left) / std::max(light[0], 1e-3F);
@@ -124,7 +154,8 @@ void AlongStripe::bendBreaks(const ColumnTrack& track)
 /// times their mean square distance, less what the mean slope has taken off already. It is known a little further in.
 void AlongStripe::bendAtBreak(const ColumnTrack& track, int slot)
 {
-  constexpr int kInward = 13;
+  constexpr int kFarther = 9;
+  constexpr float kChanging = 0.3F;  // of what a change of the curvature makes of a mean over 9
   constexpr float kHalf = 4.5F;
   constexpr float kWhole = 8.5F;
   const float* held = at(Sum9);
@@ -132,12 +163,17 @@ void AlongStripe::bendAtBreak(const ColumnTrack& track, int slot)
   if (known(slot, kHalf))
     return;
   int from = 0;
-  for (int k = 1; k <= kInward && from == 0; ++k)
+  for (int k = 1; k <= kSide && from == 0; ++k)
     from = known(slot + k, kWhole) ? k : (known(slot - k, kWhole) ? -k : 0);
   if (from == 0)
     return;
-  const float bend = at(Bend)[slot + from];
-  const auto added = [&](int reach)
+  // As much of it as there is a little farther in as well.
+  const float near = at(Bend)[slot + from];
+  const int farther = slot + from + (from > 0 ? kFarther : -kFarther);
+  const float beyond = known(farther, kWhole) ? at(Bend)[farther] : near;
+  const float least = std::min(std::abs(near), std::abs(beyond));
+  const float bend = near * beyond > 0.0F ? std::copysign(least, near) : 0.0F;
+  const auto moment = [&](int reach)
   {
     float count = 0.0F;
     float distance = 0.0F;
@@ -149,11 +185,13 @@ void AlongStripe::bendAtBreak(const ColumnTrack& track, int slot)
       count += weight, distance += weight * x, square += weight * x * x;
     }
     const float mean = distance / count;
-    return bend * (0.5F * square / count - (reach > 1 ? mean * mean : 0.0F));
+    return 0.5F * square / count - (reach > 1 ? mean * mean : 0.0F);
   };
-  const float mean3 = at(Mean3)[slot] - added(1);
-  const float mean9 = at(Mean9)[slot] - added(4);
-  const float mean27 = at(Mean27)[slot] - added(13);
+  const float moment9 = moment(4);
+  const float mean3 = at(Mean3)[slot] - bend * moment(1);
+  const float mean9 = at(Mean9)[slot] - bend * moment9;
+  const float mean27 = at(Mean27)[slot] - bend * moment(kSide);
+  at(Unsure)[slot] = kChanging * std::abs((near - beyond) * moment9);
   at(SpareA)[slot] = mean3, at(SpareB)[slot] = mean9, at(SpareC)[slot] = mean27;
   at(Bend)[slot] = bend;
   at(Square9)[slot] = (mean3 - mean9) * (mean3 - mean9);
@@ -194,11 +232,12 @@ void AlongStripe::tellLost(const ColumnTrack& track, int slot)
 void AlongStripe::tellFaded(int slot)
 {
   constexpr float kLeft = 0.25F;  // of what was taken off
+  constexpr int kReach = 4;       // a mean over 9
   const float* faded = at(Faded) + slot;
   float largest = 0.0F;
-  for (int k = -2; k <= 2; ++k)
-    largest = std::max(largest, std::abs(faded[k]));
+  for (int k = -kReach; k <= kReach; ++k)
+    largest = std::max(largest, std::abs(faded[k]) / (1.0F + 0.5F * static_cast<float>(std::abs(k))));
   float& sigma = sigma_[static_cast<std::size_t>(slot)];
-  sigma = std::hypot(sigma, kLeft * largest);
+  sigma = std::sqrt(sigma * sigma + kLeft * kLeft * largest * largest + at(Unsure)[slot] * at(Unsure)[slot]);
 }
 }  // namespace weld_profiler

@@ -116,10 +116,21 @@ struct ChooseAperture
       const int stretch = begin / kStretch;
       const int next = (stretch + 1) * kStretch;
       const int end = next < in.count - kGuard ? next : in.count - kGuard;
-      choose(in, begin, end, in.learnt[stretch], in.growth[stretch]);
+      // straight from border to border of the stretches: a step would show in the outline
+      const float here = in.growth[stretch];
+      const float before = stretch > 0 ? in.growth[stretch - 1] : here;
+      const float after = next < in.count ? in.growth[stretch + 1] : here;
+      const float change = 0.5F * (after - before) / kStretch;
+      choose(in, begin, end, in.learnt[stretch],
+             Growth{ 0.5F * (before + here) + change * static_cast<float>(begin - stretch * kStretch), change });
       begin = end;
     }
   }
+
+  struct Growth
+  {
+    float first, change;  ///< at the first slot, from slot to slot
+  };
 
   /// Share of the shorter mean, from the squared difference seen and that which noise makes.
   WELD_PROFILER_KERNEL static float shareOf(float seen, float noise)
@@ -130,7 +141,8 @@ struct ChooseAperture
     return share < 0.0F ? 0.0F : (share > 1.0F ? 1.0F : share);
   }
 
-  WELD_PROFILER_KERNEL static void choose(const In& in, int begin, int end, const StretchScatter& learnt, float growth)
+  WELD_PROFILER_KERNEL static void choose(const In& in, int begin, int end, const StretchScatter& learnt,
+                                          const Growth& growing)
   {
     constexpr float kAlone = 1.0F / 9.0F;  // what one column's own difference counts for beside the mean around it
     constexpr float kSeenByChance = 1.4F;
@@ -202,6 +214,7 @@ struct ChooseAperture
       const float bias = (1.0F - share3) * (1.0F - share3) * (left9 + (1.0F - share9) * (1.0F - share9) * left27);
       float width = widths[i];
       float slope = slopes[i];
+      const float growth = growing.first + growing.change * static_cast<float>(i - begin);
       const float square = slope * slope;
       const float part = 1.0F / (1.0F + square);
       const float skew = (kSkew * bend * square * part + kGrowing * growth * slope) * part * width * width;

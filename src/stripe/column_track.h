@@ -22,6 +22,7 @@ struct ColumnTrack
   };
 
   std::vector<Piece> pieces;
+  int columns = 0;                ///< of the image
   std::vector<float> v;           ///< reference line that offsets are counted from
   std::vector<float> sigma;       ///< 1-sigma half width
   std::vector<float> background;  ///< at v

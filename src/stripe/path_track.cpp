@@ -167,6 +167,7 @@ void ColumnTrack::layOn(const Piece& piece)
 void PathTrack::lay(const GroupSums& sums, const std::vector<PathNode>& nodes, float noise, ColumnTrack& track)
 {
   const int columns = sums.columns();
+  track.columns = columns;
   nodes_.clear();
   for (const PathNode& node : nodes)
     nodes_.push_back(measureGroup(sums, node));

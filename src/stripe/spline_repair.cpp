@@ -23,7 +23,7 @@ constexpr double kRoughestSigmas = 3.0;
 constexpr std::size_t kEndCells = 3;  ///< centres next to a break that may follow its edge
 constexpr double kLeastStep = 1.0;    ///< by which both sides must miss each other in the middle to be a step [px]
 constexpr double kStepPerGap = 0.1;   ///< ... and more for a longer break, in which a smooth line may bend [px / px]
-constexpr double kUnseen = 8.0e-4;    ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
+constexpr double kUnseen = 9.5e-4;    ///< error of a filled cell by curvature nobody saw, per px^2 (docs/paper.md)
 constexpr double kShared = 0.67;      ///< of an error is the same in neighbours that were measured over common pixels
 static_assert(2 * kSideCells <= NaturalSpline::kMostKnots, "the literal reading passes through all of them");
 
@@ -71,6 +71,7 @@ public:
     const double roughness = fitCurve(middle, std::max(kLeastOutlier, kOutlierSigmas * typicalResidual()));
     double sigma = 0.0;
     sides_.each([&](std::size_t i) { sigma += stripe_.sigma[i] / static_cast<double>(sides_.count()); });
+    sigma *= std::hypot(1.0, curve_.slope(middle));  // across the stripe -> down a column
     sigma_ = std::max(sigma, roughness);
     interpolating_ = settings.interpolating && fitInterpolation();
     return roughness <= std::max(kRoughest, kRoughestSigmas * sigma);

@@ -23,25 +23,31 @@ void WidthGrowth::learn(const ColumnTrack& track, const float* held, const float
   const auto width = [&](int slot)
   {
     const bool seen = slot < slots && held[slot] > kHalf;
-    const float rise = seen ? slope[slot] : 0.0F;
-    return seen ? track.sigma[static_cast<std::size_t>(slot)] / std::sqrt(1.0F + rise * rise) : 0.0F;
+    const float tangent = seen ? slope[slot] : 0.0F;
+    return seen ? track.sigma[static_cast<std::size_t>(slot)] / std::sqrt(1.0F + tangent * tangent) : 0.0F;
   };
-  rise_.assign(static_cast<std::size_t>(count) + 2, kNone);
+  rise_.assign(static_cast<std::size_t>(count), kNone);
   for (int i = 0; i < count; ++i)
   {
     const float from = width(i * kStretch + kInside);
     const float to = width((i + 1) * kStretch - kInside);
     if (from > 0.0F && to > 0.0F)
-      rise_[static_cast<std::size_t>(i) + 1] = 2.0F * (to - from) / (to + from) / kFar;
+      rise_[static_cast<std::size_t>(i)] = 2.0F * (to - from) / (to + from) / kFar;
   }
-  growth_.assign(static_cast<std::size_t>(count), 0.0F);
-  for (std::size_t i = 0; i < growth_.size(); ++i)
+  // At an end of a piece, where one of the neighbours is missing, the next one on the other side is asked.
+  const auto agreed = [](float a, float b, float c)
   {
-    const float here = rise_[i + 1];
-    const float before = rise_[i] < kNone ? rise_[i] : here;
-    const float after = rise_[i + 2] < kNone ? rise_[i + 2] : here;
-    if (here < kNone && before * here > 0.0F && after * here > 0.0F)
-      growth_[i] = std::copysign(std::min({ std::abs(before), std::abs(here), std::abs(after) }), here);
+    if (!(a < kNone && b < kNone && c < kNone) || !(a * b > 0.0F) || !(a * c > 0.0F))
+      return 0.0F;
+    return std::copysign(std::min({ std::abs(a), std::abs(b), std::abs(c) }), a);
+  };
+  const auto rise = [&](int i) { return i >= 0 && i < count ? rise_[static_cast<std::size_t>(i)] : kNone; };
+  growth_.assign(static_cast<std::size_t>(count), 0.0F);
+  for (int i = 0; i < count; ++i)
+  {
+    const int before = rise(i - 1) < kNone ? i - 1 : i + 2;
+    const int after = rise(i + 1) < kNone ? i + 1 : i - 2;
+    growth_[static_cast<std::size_t>(i)] = agreed(rise(i), rise(before), rise(after));
   }
 }
 }  // namespace weld_profiler
