@@ -113,8 +113,8 @@ TEST(RidgeEnds, WhereTheLightFadesOutOnAFlankTheCentresStayOnTheLine)
   { return cell > 12 && cell < kWidth - 12 && std::abs(std::abs(cell % 100 - 60.0) - 20.0) < 8.0; };
   const Errors errors = errorsOf(scene, ends);
   ASSERT_GT(errors.count, 400);
-  // What the light feigns there is 1 px and more.
-  EXPECT_LT(errors.rms(), 0.12);
+  // What the light feigns there is 1 px and more. Not taken off, with the slope across the break, it leaves 0.28.
+  EXPECT_LT(errors.rms(), 0.14);
   EXPECT_LT(errors.honesty(), 1.4);
 }
 
