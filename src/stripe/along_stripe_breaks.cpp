@@ -136,7 +136,7 @@ void AlongStripe::takeFading(const ColumnTrack& track, int slot)
   const float right = weight[1] > 0.0F ? light[1] : 0.0F;
   const float left = weight[-1] > 0.0F ? light[-1] : 0.0F;
   const float change = 0.5F * (right - left) / std::max(light[0], 1e-3F);
-  const float width = track.sigma[static_cast<std::size_t>(slot + inward * kNear)];
+  const float width = track.sigma.data()[slot + inward * kNear];
   const float feigned = width * width * rise / (1.0F + rise * rise) * change;
   slope_[static_cast<std::size_t>(slot)] = at(SpareB)[slot] = rise;
   at(Offset)[slot] -= feigned;
@@ -180,7 +180,7 @@ void AlongStripe::bendAtBreak(const ColumnTrack& track, int slot)
     float square = 0.0F;
     for (int k = -reach; k <= reach; ++k)
     {
-      const float weight = track.weight[static_cast<std::size_t>(slot + k)];
+      const float weight = track.weight.data()[slot + k];
       const auto x = static_cast<float>(k);
       count += weight, distance += weight * x, square += weight * x * x;
     }
