@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "simulation/part_checks.h"
 #include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
@@ -58,36 +59,6 @@ void checkMotion(const SceneParams& scene)
   requireRange("rig_roll_deg", scene.rig_roll_deg, -180.0, 180.0, "deg");
 }
 
-void checkWeld(const ScenePlates& plates, const SceneWeld& weld)
-{
-  requireRange("plates.x", plates.x, -0.1, 0.1, "m");
-  requireRange("plates.height", plates.height, -0.05, 0.05, "m");
-  requireRange("plates.misalignment", plates.misalignment, -0.01, 0.01, "m");
-  requireRange("plates.angle_deg", plates.angle_deg, -30.0, 30.0, "deg");
-  requireRange("weld.width", weld.width, 0.0, 0.05, "m");
-  if (weld.width > 0.0)
-    requireRange("weld.reinforcement", weld.reinforcement, 0.0, 0.5 * weld.width, "m (half of weld.width)");
-  requireRange("weld.start", weld.start, -2.0, 2.0, "m");
-  requireRange("weld.length", weld.length, 1e-4, 4.0, "m");
-  requireRange("weld.end_length", weld.end_length, 0.0, 0.5 * weld.length, "m (half of weld.length)");
-  requireRange("weld.yaw_deg", weld.yaw_deg, -30.0, 30.0, "deg");
-  requireRange("weld.curvature", weld.curvature, -10.0, 10.0, "1/m");
-  requireRange("weld.ripple_height", weld.ripple_height, 0.0, 0.002, "m");
-  requireRange("weld.ripple_pitch", weld.ripple_pitch, 0.0001, 0.1, "m");
-  requireRange("weld.undercut_left", weld.undercut_left, 0.0, 0.005, "m");
-  requireRange("weld.undercut_right", weld.undercut_right, 0.0, 0.005, "m");
-  requireRange("weld.undercut_width", weld.undercut_width, 0.0001, 0.01, "m");
-}
-
-void checkBlock(const std::string& name, const SceneBlock& block)
-{
-  requireRange(name + ".height", block.height, 0.0, 0.05, "m");
-  requireRange(name + ".x", block.x, -0.2, 0.2, "m");
-  requireRange(name + ".y", block.y, -2.0, 2.0, "m");
-  requireRange(name + ".width", block.width, 1e-4, 0.5, "m");
-  requireRange(name + ".length", block.length, 1e-4, 4.0, "m");
-}
-
 void checkLaser(const SceneLaser& laser)
 {
   requireRange("laser.lens_sigma_px", laser.lens_sigma_px, 0.3, 3.0, "px");
@@ -122,11 +93,8 @@ void checkSensor(const SceneParams& scene)
                       std::to_string(peak / floor) + ", what read noise and rounding leave at this laser.peak");
 }
 
-void checkLight(const SceneSpatter& spatter, const SceneLight& light)
+void checkLight(const SceneLight& light)
 {
-  requireRange("spatter.count", spatter.count, 0, 2000);
-  requireRange("spatter.radius_min", spatter.radius_min, 1e-5, 0.01, "m");
-  requireRange("spatter.radius_max", spatter.radius_max, spatter.radius_min, 0.01, "m (at least spatter.radius_min)");
   requireRange("light.ambient", light.ambient, 0.0, 100000.0, "DN");
   requireRange("light.ambient_transmission", light.ambient_transmission, 0.0, 1.0);
   requireRange("light.arc", light.arc, 0.0, 100000.0, "DN");
@@ -181,10 +149,8 @@ void SceneParams::validate() const
 {
   checkTime(*this);
   checkMotion(*this);
-  checkWeld(plates, weld);
-  checkBlock("gauge", gauge);
-  checkBlock("marker", marker);
-  checkLight(spatter, light);
+  simulation::checkPart(*this);
+  checkLight(light);
   checkLaser(laser);
   checkSensor(*this);
   checkRig(calibration);

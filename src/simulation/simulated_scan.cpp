@@ -144,4 +144,41 @@ std::vector<WeldTruth> SimulatedScan::weldSections() const
 {
   return simulation::trueSections(impl_->world);
 }
+
+std::optional<WeldTruth> SimulatedScan::weldSection(double x, double y) const
+{
+  return simulation::trueSection(impl_->world, x, y);
+}
+
+double SimulatedScan::weldVolume(double from_s, double to_s) const
+{
+  return simulation::trueVolume(impl_->world, from_s, to_s);
+}
+
+TrueLabel SimulatedScan::surfaceLabel(double x, double y) const
+{
+  return impl_->world.surface.label(x, y);
+}
+
+double SimulatedScan::targetHeight(double x, double y, double rest) const
+{
+  return impl_->world.surface.target(x, y, rest);
+}
+
+double SimulatedScan::removalHeight(double x, double y, double rest) const
+{
+  return simulation::removalHeight(impl_->world, x, y, rest);
+}
+
+TrueRipples SimulatedScan::ripples() const
+{
+  const SceneWeld& weld = impl_->world.scene.weld;
+  const bool rippled = weld.ripple_height > 0.0 && weld.width > 0.0;
+  return rippled ? TrueRipples{ weld.ripple_pitch, weld.ripple_height } : TrueRipples();
+}
+
+std::vector<TrueSpot> SimulatedScan::spots() const
+{
+  return impl_->world.surface.spots();
+}
 }  // namespace weld_profiler

@@ -4,7 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "simulation/bead.h"
+#include "simulation/ceilings.h"
+#include "simulation/spots.h"
 
 namespace weld_profiler
 {
@@ -14,6 +15,9 @@ namespace simulation
 class Surface
 {
 public:
+  Surface(const Surface&) = delete;  // the spots know the bead by its address
+  Surface& operator=(const Surface&) = delete;
+
   /// @param y_offset  fixed y of part y = 0.
   /// @param length    extent along y that is scanned [m].
   Surface(const SceneParams& scene, double y_offset, double length);
@@ -26,8 +30,17 @@ public:
   /// Scattering relative to the plates.
   double reflectance(double x, double y) const;
 
-  /// No point of the surface within a millimetre around (x, y) is higher.
-  double ceiling(double x, double y) const;
+  TrueLabel label(double x, double y) const;
+
+  /// What a grinder makes flush, and what it leaves of the bead. @param rest  left above the chord inside the bead.
+  double target(double x, double y, double rest) const;
+
+  /// Under a block.
+  bool blocked(double x, double y) const { return blockAt(x, y - y_offset_) != nullptr; }
+
+  /// In the fixed frame.
+  std::vector<TrueSpot> spots() const;
+
   double highest() const { return highest_; }
   double lowest() const { return lowest_; }
 
@@ -40,31 +53,18 @@ public:
   double yOffset() const { return y_offset_; }
 
 private:
-  struct Ball
-  {
-    double x, y, z, radius;
-  };
-
   const SceneBlock* blockAt(double x, double part_y) const;
   double smooth(double x, double part_y, const SceneBlock* block) const;
-  void placeBalls(const SceneParams& scene, double length);
   void findCeilings();
   void probe(double x, double part_y);
-  void widenCeilings();
-  int cellIndex(double x, double part_y) const;
-  std::size_t cellAt(int column, int row) const
-  {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-  }
 
   Bead bead_;
   double bead_reflectance_;
   double y_offset_;
   std::vector<SceneBlock> blocks_;
-  std::vector<std::vector<Ball>> buckets_;
-  std::vector<float> ceilings_;
-  double grid_x_ = 0.0, grid_y_ = 0.0;  ///< first corner of the grid of ceilings and buckets, part coordinates
-  int columns_ = 0, rows_ = 0;
+  CellGrid grid_;  ///< of ceilings and spots, part coordinates
+  Ceilings ceilings_, fine_ceilings_;
+  Spots spots_;
   double highest_ = 0.0, lowest_ = 0.0;
 };
 }  // namespace simulation

@@ -1,6 +1,7 @@
 #include "weld_profiler/simulation/truth_writer.h"
 
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -62,26 +63,53 @@ void writeCentres(const SimulatedScan& scan, const fs::path& path, const TruthPr
   file.close();
 }
 
+/// A number, or nothing for a NaN: not measured.
+std::string cell(double value, int digits = 6)
+{
+  char text[32] = "";
+  if (std::isfinite(value))
+    std::snprintf(text, sizeof(text), "%.*f", digits, value);
+  return text;
+}
+
+/// One line of weld.csv.
+std::string sectionLine(const WeldTruth& w, int section)
+{
+  constexpr int kAngleDigits = 4;
+  const auto mm = [](double metres) { return cell(metres * kMm) + ","; };
+  const auto deg = [](double radians) { return cell(radians * kDegPerRad, kAngleDigits) + ","; };
+  return std::to_string(w.row) + "," + mm(w.stage) + mm(w.width) + mm(w.reinforcement) + mm(w.toe_left[0]) +
+         mm(w.toe_right[0]) + deg(w.toe_angle_left) + deg(w.toe_angle_right) + mm(w.undercut_left) +
+         mm(w.undercut_right) + mm(w.misalignment) + mm(w.area * kMm) + "," + std::to_string(section) + "," + mm(w.s) +
+         cell(w.yaw * kDegPerRad) + "," + mm(w.toe_left[1]) + mm(w.toe_left[2]) + mm(w.toe_right[1]) +
+         mm(w.toe_right[2]) + mm(w.leg_left) + mm(w.leg_right) + mm(w.throat) + mm(w.height_left) + mm(w.height_right) +
+         "chord," + deg(w.angle) + mm(w.incomplete_fill) + mm(w.convexity) + w.kind + "\n";
+}
+
 void writeWeld(const SimulatedScan& scan, const fs::path& path)
 {
   TextFile file(path);
   file.out() << "row,stage_mm,width_mm,reinforcement_mm,toe_left_x_mm,toe_right_x_mm,toe_angle_left_deg,"
                 "toe_angle_right_deg,undercut_left_mm,undercut_right_mm,misalignment_mm,area_mm2,verdict,section,s_mm,"
                 "yaw_deg,toe_left_y_mm,toe_left_z_mm,toe_right_y_mm,toe_right_z_mm,leg_left_mm,leg_right_mm,throat_mm,"
-                "height_left_mm,height_right_mm,reference\n";
+                "height_left_mm,height_right_mm,reference,angle_deg,incomplete_fill_mm,convexity_mm,kind\n";
   int section = 0;
-  for (const WeldTruth& w : scan.weldSections())
+  for (const WeldTruth& truth : scan.weldSections())
+    file.out() << sectionLine(truth, section++);
+  file.close();
+}
+
+void writeSpots(const SimulatedScan& scan, const fs::path& path)
+{
+  TextFile file(path);
+  file.out() << "kind,x_mm,y_mm,z_mm,s_mm,diameter_mm,height_mm\n";
+  for (const TrueSpot& spot : scan.spots())
   {
-    char line[512];
-    std::snprintf(line, sizeof(line),
-                  "%d,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%.6f,%.6f,%.6f,%.6f,,%d,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,,,,"
-                  "%.6f,%.6f,chord\n",
-                  w.row, w.stage * kMm, w.width * kMm, w.reinforcement * kMm, w.toe_left[0] * kMm, w.toe_right[0] * kMm,
-                  w.toe_angle_left * kDegPerRad, w.toe_angle_right * kDegPerRad, w.undercut_left * kMm,
-                  w.undercut_right * kMm, w.misalignment * kMm, w.area * kMm * kMm, section++, w.s * kMm,
-                  w.yaw * kDegPerRad, w.toe_left[1] * kMm, w.toe_left[2] * kMm, w.toe_right[1] * kMm,
-                  w.toe_right[2] * kMm, w.height_left * kMm, w.height_right * kMm);
-    file.out() << line;
+    file.out() << (spot.kind == TrueSpot::Kind::Pore ? "pore" : "spatter");
+    for (const double value :
+         { spot.position[0], spot.position[1], spot.position[2], spot.s, spot.diameter, spot.height })
+      file.out() << "," << cell(value * kMm);
+    file.out() << "\n";
   }
   file.close();
 }
@@ -154,6 +182,7 @@ void writeTruth(const SimulatedScan& scan, const std::string& directory, const T
     writeCentres(scan, made / "centres.csv", progress);
     writeSurface(scan, made / "surface.ply");
     writeWeld(scan, made / "weld.csv");
+    writeSpots(scan, made / "spots.csv");
     saveScene(scan.scene(), (made / "scene.yaml").string());
     replace(made, target);
   }

@@ -46,7 +46,7 @@ std::vector<Refusal> refusals()
         FIELD(start_position, 11.0), FIELD(part_start, 3.0), FIELD(speed, 0.0), FIELD(speed, 2.0),
         FIELD(speed_variation, 1.0), FIELD(speed_period, 0.0), FIELD(tf_rotation_deg, 31.0), FIELD(pose_rate, 0.0),
         FIELD(encoder_rate, 0.0), FIELD(encoder_resolution, -1e-6), FIELD(rig_roll_deg, 181.0), FIELD(plates.x, 0.2),
-        FIELD(plates.height, 0.1), FIELD(plates.misalignment, 0.02), FIELD(plates.angle_deg, 31.0),
+        FIELD(plates.height, 0.1), FIELD(plates.misalignment, 0.02), FIELD(plates.angle_deg, 121.0),
         FIELD(weld.width, -0.001), FIELD(weld.reinforcement, 0.006), FIELD(weld.start, 3.0), FIELD(weld.length, 0.0),
         FIELD(weld.end_length, 0.03), FIELD(weld.yaw_deg, 31.0), FIELD(weld.curvature, 11.0),
         FIELD(weld.ripple_height, 0.003), FIELD(weld.ripple_pitch, 0.0), FIELD(weld.undercut_left, -0.001),
@@ -242,8 +242,8 @@ TEST_F(SceneFile, ComesBackAsItWasSaved)
 
 TEST(SceneFiles, ThatComeWithThePackageLoad)
 {
-  for (const char* name :
-       { "realistic", "harsh", "chiral", "chiral_part_moves", "chiral_tf", "filter_on", "filter_off" })
+  for (const char* name : { "realistic", "harsh", "chiral", "chiral_part_moves", "chiral_tf", "filter_on", "filter_off",
+                            "fillet", "bead_on_plate", "tacks", "incomplete_fill" })
     EXPECT_NO_THROW(loadScene(std::string("config/scenes/") + name + ".yaml")) << name;
 }
 }  // namespace

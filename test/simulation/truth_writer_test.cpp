@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -88,7 +89,54 @@ TEST_F(TruthWriter, WritesTheWeldsSections)
   EXPECT_NEAR(std::stod(values[2]), 10.0, 1e-6);
   ASSERT_EQ(names[3], "reinforcement_mm");
   EXPECT_NEAR(std::stod(values[3]), 2.0, 0.06);
-  EXPECT_EQ(values.back(), "chord");
+  const auto column = [&names](const std::string& name)
+  { return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()); };
+  ASSERT_LT(column("kind"), names.size());
+  EXPECT_EQ(values[column("reference")], "chord");
+  EXPECT_EQ(values[column("kind")], "butt");
+  EXPECT_EQ(values[column("leg_left_mm")], "") << "a butt weld has none";
+  EXPECT_EQ(values[column("verdict")], "");
+  EXPECT_EQ(column("section"), column("verdict") + 1U);
+}
+
+TEST_F(TruthWriter, WritesAFilletsLegsAndThroat)
+{
+  SceneParams scene = scenePreset("realistic");
+  scene.frame_count = 2;
+  scene.part_start = 0.02;
+  scene.weld.kind = "fillet";
+  scene.plates.angle_deg = 90.0;
+  scene.weld.reinforcement = 0.001;
+  writeTruth(SimulatedScan(scene), (folder_ / "b.truth").string());
+  const auto rows = lines(folder_ / "b.truth" / "weld.csv");
+  ASSERT_EQ(rows.size(), 3U);
+  const auto names = fields(rows[0]);
+  const auto values = fields(rows[1]);
+  ASSERT_EQ(names.size(), values.size());
+  ASSERT_EQ(names[20], "leg_left_mm");
+  EXPECT_NEAR(std::stod(values[20]), 5.0 * M_SQRT2, 1e-6);
+  ASSERT_EQ(names[22], "throat_mm");
+  EXPECT_NEAR(std::stod(values[22]), 5.0, 1e-6);
+  EXPECT_EQ(values.back(), "fillet");
+  ASSERT_EQ(names[26], "angle_deg");
+  EXPECT_NEAR(std::stod(values[26]), 90.0, 1e-4);
+  ASSERT_EQ(names[10], "misalignment_mm");
+  EXPECT_EQ(values[10], "") << "plates in a corner have none";
+}
+
+TEST_F(TruthWriter, WritesSpatterAndPores)
+{
+  SceneParams scene = scan_->scene();
+  scene.spatter.count = 4;
+  scene.pores.count = 3;
+  const SimulatedScan scan(scene);
+  writeTruth(scan, (folder_ / "c.truth").string());
+  const auto rows = lines(folder_ / "c.truth" / "spots.csv");
+  ASSERT_EQ(rows.size(), 8U);
+  EXPECT_EQ(rows[0], "kind,x_mm,y_mm,z_mm,s_mm,diameter_mm,height_mm");
+  EXPECT_EQ(fields(rows[1])[0], "spatter");
+  EXPECT_EQ(fields(rows[7])[0], "pore");
+  EXPECT_NEAR(std::stod(fields(rows[7])[5]), scan.spots()[6].diameter * 1000.0, 1e-6);
 }
 
 TEST_F(TruthWriter, WritesASurfaceThatLooksUp)

@@ -6,84 +6,10 @@
 #include <vector>
 
 #include "weld_profiler/geometry/calibration.h"
+#include "weld_profiler/simulation/scene_part.h"
 
 namespace weld_profiler
 {
-// Every struct offers its fields to a visitor (core/yaml_fields.h), so a name stands in one place only. Lengths [m].
-// Part coordinates: x to the right and y along the scan as in the scan frame, y = 0 where the scan begins, z = 0 on the
-// plates' surface at the weld.
-
-/// Two plates, left and right of the weld.
-struct ScenePlates
-{
-  double x = 0.0;             ///< where the seam's middle lies across the field [m], +-0.1
-  double height = 0.0;        ///< of the surface above the scan frame's origin [m], +-0.05
-  double misalignment = 0.0;  ///< right plate above the left at the seam [m], +-0.01
-  double angle_deg = 0.0;     ///< angle between the plates, > 0 = both rise outward [deg], +-30
-
-  template <class V>
-  void visit(V&& v)
-  {
-    v("x", x), v("height", height), v("misalignment", misalignment), v("angle_deg", angle_deg);
-  }
-};
-
-/// A weld bead: circular segment above the chord of its toes.
-struct SceneWeld
-{
-  double width = 0.010;            ///< distance of the toes [m], 0 = no weld
-  double reinforcement = 0.002;    ///< height of the crest above the chord, without ripples [m]
-  double start = 0.0;              ///< part y of its first end (before yaw) [m]
-  double length = 0.050;           ///< [m]
-  double end_length = 0.004;       ///< over which width and height rise at its ends [m]
-  double yaw_deg = 0.0;            ///< of its middle's tangent from +y toward -x [deg], +-30
-  double curvature = 0.0;          ///< of its path, > 0 = bends to the right [1/m], +-10
-  double ripple_height = 0.0;      ///< crest to trough [m]
-  double ripple_pitch = 0.0012;    ///< [m]
-  double undercut_left = 0.0;      ///< depth [m]
-  double undercut_right = 0.0;     ///< depth [m]
-  double undercut_width = 0.0012;  ///< [m]
-
-  template <class V>
-  void visit(V&& v)
-  {
-    v("width", width), v("reinforcement", reinforcement), v("start", start), v("length", length);
-    v("end_length", end_length), v("yaw_deg", yaw_deg), v("curvature", curvature), v("ripple_height", ripple_height);
-    v("ripple_pitch", ripple_pitch), v("undercut_left", undercut_left), v("undercut_right", undercut_right);
-    v("undercut_width", undercut_width);
-  }
-};
-
-/// A block with vertical walls on the plates: a gauge step, a mark in a corner.
-struct SceneBlock
-{
-  double height = 0.0;   ///< above the plate under it [m], 0 = no block
-  double x = 0.0;        ///< part x of its middle [m]
-  double y = 0.0;        ///< part y of its first edge [m]
-  double width = 0.01;   ///< across [m]
-  double length = 0.01;  ///< along y [m]
-
-  template <class V>
-  void visit(V&& v)
-  {
-    v("height", height), v("x", x), v("y", y), v("width", width), v("length", length);
-  }
-};
-
-/// Balls of spatter, stuck on at seeded places.
-struct SceneSpatter
-{
-  int count = 0;               ///< 0..2000
-  double radius_min = 0.0002;  ///< [m]
-  double radius_max = 0.0006;  ///< [m]
-
-  template <class V>
-  void visit(V&& v)
-  {
-    v("count", count), v("radius_min", radius_min), v("radius_max", radius_max);
-  }
-};
-
 /// Laser sheet, lens and how the surface scatters.
 struct SceneLaser
 {
@@ -197,6 +123,8 @@ struct SceneParams
   SceneBlock gauge;   ///< a step of known height
   SceneBlock marker;  ///< makes the part chiral
   SceneSpatter spatter;
+  ScenePores pores;
+  SceneSecondBead second_bead;
   SceneLaser laser;
   SceneSpeckle speckle;
   SceneSensor sensor;
@@ -220,6 +148,7 @@ struct SceneParams
   void visitSections(V&& v)
   {
     v("plates", plates), v("weld", weld), v("gauge", gauge), v("marker", marker), v("spatter", spatter);
+    v("pores", pores), v("second_bead", second_bead);
     v("laser", laser), v("speckle", speckle), v("sensor", sensor), v("light", light);
   }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,23 @@ public:
   std::array<double, 4> extent() const;
   /// True dimensions of the bead, one section for each frame whose sheet crosses the weld, rising frames.
   std::vector<WeldTruth> weldSections() const;
+  /// The same for the section through a point of the cloud's frame; row and stage are those of the nearest frame.
+  /// @return none where there is no bead.
+  std::optional<WeldTruth> weldSection(double x, double y) const;
+  /// Volume between the bead's face and the chords of its toes from one s to another, 0 = the weld's first end [m^3].
+  /// Where the face is lower it counts negative; spatter, pores, blocks and the second bead do not count.
+  double weldVolume(double from_s, double to_s) const;
+  /// What the point of the surface belongs to.
+  TrueLabel surfaceLabel(double x, double y) const;
+  /// The target of grinding, as a height over the cloud's x and y: inside the bead the chord of its toes and a rest
+  /// above it, outside the parent plates [m].
+  double targetHeight(double x, double y, double rest = 0.0) const;
+  /// What must come off, along z: true surface, spatter and pores included, above that target; >= 0, NaN on a block
+  /// [m].
+  double removalHeight(double x, double y, double rest = 0.0) const;
+  TrueRipples ripples() const;
+  /// Spatter and pores, in the order in which they were placed.
+  std::vector<TrueSpot> spots() const;
 
 private:
   struct Impl;
