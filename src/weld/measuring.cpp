@@ -1,0 +1,191 @@
+#include "measuring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "kind_model.h"
+#include "seam_maps.h"
+#include "seam_summary.h"
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr double kRoughStep = 3.5e-4;  // between the sections that path and strays are found with [m]
+constexpr double kLeastScore = 0.3;    // of a kind, else the weld is of none
+
+std::vector<SectionShape> shapesOf(const SeamSections& sections)
+{
+  std::vector<SectionShape> shapes;
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    shapes.push_back(sections.shape(k));
+  return shapes;
+}
+
+void add(std::string& reason, const std::string& more)
+{
+  reason += (reason.empty() ? "" : "; ") + more;
+}
+
+std::string numbers(const char* before, double first, const char* between, double second, const char* after)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << before << first << between << second << after;
+  return text.str();
+}
+}  // namespace
+
+/// One section a row, where the row crosses the path; with a step those that lie a step apart.
+std::vector<double> Measuring::sectionPlaces(const WeldPath& path, double step) const
+{
+  std::vector<double> places;
+  double next = -INFINITY;
+  for (const double y : grid_.row_y)
+  {
+    const double s = path.sAt(y);
+    if (y < found_.from_y || y > found_.to_y || s < next - 1e-9 || (!places.empty() && !(s > places.back())))
+      continue;
+    places.push_back(s);
+    next = step > 0.0 ? s + step : -INFINITY;
+  }
+  return places;
+}
+
+WeldPath Measuring::refinedPath(const SeamSections& sections) const
+{
+  std::vector<PathSample> samples;
+  for (std::size_t k = 0; k < sections.size(); ++k)
+  {
+    const SectionShape& shape = sections.shape(k);
+    if (!shape.whole())
+      continue;
+    const WeldPathPoint& place = sections.profile(k).place;
+    const double q = 0.5 * (shape.toe_left.q + shape.toe_right.q);
+    samples.push_back(PathSample{ place.x + std::cos(place.yaw) * q, place.y + std::sin(place.yaw) * q,
+                                  std::hypot(shape.toe_left.sigma, shape.toe_right.sigma) });
+  }
+  return samples.empty() ? *found_.path : WeldPath(samples, found_.from_y, found_.to_y, kPathReach);
+}
+
+void Measuring::measureRoughly()
+{
+  const SectionSampler sampler(grid_, *found_.path);
+  const SeamGuess guess(grid_, found_.track, *found_.path);
+  SeamSections rough(sampler, guess, params_);
+  rough.measureRoughly(sectionPlaces(*found_.path, std::max(kRoughStep, params_.section_step)));
+  strays_ = findStrays(grid_, sampler, SeamSurface(rough));
+  path_ = std::make_unique<WeldPath>(refinedPath(rough));
+}
+
+void Measuring::measureFinally()
+{
+  sampler_ = std::make_unique<SectionSampler>(grid_, *path_);
+  guess_ = std::make_unique<SeamGuess>(grid_, found_.track, *path_);
+  sections_ = std::make_unique<SeamSections>(*sampler_, *guess_, params_);
+  sections_->measure(sectionPlaces(*path_, params_.section_step), strays_.masked);
+  for (WeldSpot& spot : strays_.spots)
+    spot.s = path_->locate(spot.x, spot.y, spot.s).s;
+}
+
+/// False when the weld is of no kind.
+bool Measuring::chooseKind(WeldResult& result) const
+{
+  const SeamEvidence evidence = seamEvidence(shapesOf(*sections_));
+  result.scores = scoreKinds(evidence, params_);
+  if (!evidence.angle.measured())
+    add(result.reason, "no section shows both toes: a parent is not in view, or no face rises from it");
+  if (params_.kind != "auto")
+  {
+    for (const KindScore& score : result.scores)
+    {
+      if (params_.kind != name(score.kind))
+        continue;
+      result.kind = score.kind;
+      if (score.score < kLeastScore)
+        add(result.reason, "the parents do not lie as in a weld of kind " + params_.kind + ", which was asked for");
+    }
+    return true;
+  }
+  if (result.scores.front().score >= kLeastScore)
+  {
+    result.kind = result.scores.front().kind;
+    return true;
+  }
+  add(result.reason, numbers("the parents lie as in no known kind of weld: offset ", 1e3 * evidence.offset.value,
+                             " mm, angle ", 57.29578 * evidence.angle.value, " deg"));
+  return false;
+}
+
+void Measuring::fillSections(WeldResult& result)
+{
+  const KindModel& model = kindModel(result.kind);
+  for (std::size_t k = 0; k < sections_->size(); ++k)
+  {
+    const SectionValues values = sectionValues(sections_->profile(k), sections_->shape(k), params_);
+    WeldSection section = values.section;
+    undercut_left_.push_back(values.undercut_width_left);
+    undercut_right_.push_back(values.undercut_width_right);
+    section.section = static_cast<int>(k);
+    section.stage = scan_.rows[static_cast<std::size_t>(section.row)].stage;
+    // a yaw that is not certain foreshortens by its square's half
+    section.width.sigma = std::hypot(section.width.sigma, 0.5 * section.width.value * square(path_->yawSigma()));
+    model.measure(sections_->shape(k), section);
+    refuseDoubtful(params_, section);
+    result.sections.push_back(section);
+    result.path.push_back(sections_->profile(k).place);
+  }
+}
+
+void Measuring::fillResultMaps(WeldResult& result) const
+{
+  const SeamZones zones(*sections_);
+  const double margin = 2.5 * grid_.pitch;
+  const SeamView view{ scan_,
+                       grid_,
+                       *path_,
+                       *sampler_,
+                       *sections_,
+                       zones,
+                       strays_,
+                       found_.from_y > grid_.row_y.front() + margin,
+                       found_.to_y < grid_.row_y.back() - margin };
+  fillMaps(view, undercut_left_, undercut_right_, params_, result);
+}
+
+WeldResult Measuring::operator()()
+{
+  WeldResult result;
+  result.rows = static_cast<std::uint32_t>(scan_.rows.size());
+  result.cells = scan_.cells;
+  result.labels.assign(scan_.rows.size() * scan_.cells, static_cast<std::uint8_t>(WeldLabel::Unknown));
+  result.removal.assign(result.labels.size(), std::numeric_limits<float>::quiet_NaN());
+  result.target = result.removal;
+  grid_ = makeGrid(scan_);
+  found_ = findWeld(grid_, params_);
+  result.reason = found_.reason;
+  result.other_beads = found_.others;
+  if (!found_.path)
+    return result;
+  measureRoughly();
+  measureFinally();
+  if (!chooseKind(result))
+    return result;
+  fillSections(result);
+  summarise(*sections_, params_, result);
+  fillResultMaps(result);
+  result.spots = strays_.spots;
+  if (result.measured_share == 0.0)
+  {
+    add(result.reason, "no section could be measured");
+    if (params_.kind == "auto")
+      result.kind = WeldKind::None;
+  }
+  return result;
+}
+}  // namespace weld
+}  // namespace weld_profiler

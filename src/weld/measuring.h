@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scan_grid.h"
+#include "seam_sections.h"
+#include "spots.h"
+#include "weld_finder.h"
+#include "weld_profiler/weld/weld_params.h"
+#include "weld_profiler/weld/weld_result.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+/// One scan on its way from points to a WeldResult:
+/// rows -> bead and path -> sections -> a better path, strays -> sections again -> kind, values, maps.
+class Measuring
+{
+public:
+  Measuring(const Scan& scan, const WeldParams& params) : scan_(scan), params_(params) {}
+
+  WeldResult operator()();
+
+private:
+  void measureRoughly();
+  void measureFinally();
+  bool chooseKind(WeldResult& result) const;
+  void fillSections(WeldResult& result);
+  void fillResultMaps(WeldResult& result) const;
+  std::vector<double> sectionPlaces(const WeldPath& path, double step) const;
+  WeldPath refinedPath(const SeamSections& sections) const;
+
+  const Scan& scan_;
+  const WeldParams& params_;
+  ScanGrid grid_;
+  FoundWeld found_;
+  std::unique_ptr<const WeldPath> path_;
+  std::unique_ptr<const SectionSampler> sampler_;
+  std::unique_ptr<const SeamGuess> guess_;
+  std::unique_ptr<SeamSections> sections_;
+  Strays strays_;
+  std::vector<double> undercut_left_, undercut_right_;  ///< width of each section's undercuts [m]
+};
+
+/// One section from a grid of one row.
+WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& params);
+}  // namespace weld
+}  // namespace weld_profiler

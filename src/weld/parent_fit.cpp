@@ -1,0 +1,183 @@
+#include "parent_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr int kRounds = 6;
+constexpr double kConverged = 1e-8;     // [m]
+constexpr int kLongestLag = 60;         // of the residuals' correlation [cells]
+constexpr double kLeastScatter = 5e-7;  // [m]
+constexpr double kShrunkReach = 6e-4;   // where little of a parent is in view, it begins this far from the toe [m]
+
+struct Piece
+{
+  std::vector<double> q, z, weight;
+  std::vector<double> residual;
+};
+
+/// Sum over the lags of the residuals' correlation: that many neighbours tell as much as one independent point.
+double correlationLength(const Piece& piece)
+{
+  const std::size_t count = piece.residual.size();
+  double variance = 0.0, weights = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    variance += piece.weight[i] * square(piece.residual[i]);
+    weights += piece.weight[i];
+  }
+  if (!(variance > 0.0))
+    return 1.0;
+  double length = 1.0;
+  for (std::size_t lag = 1; lag <= kLongestLag && lag < count / 2; ++lag)
+  {
+    double product = 0.0, pairs = 0.0;
+    for (std::size_t i = lag; i < count; ++i)
+    {
+      const double weight = std::min(piece.weight[i], piece.weight[i - lag]);
+      product += weight * piece.residual[i] * piece.residual[i - lag];
+      pairs += weight;
+    }
+    const double correlation = pairs > 0.0 ? (product / pairs) / (variance / weights) : 0.0;
+    if (correlation < 0.05)
+      break;
+    length += 2.0 * correlation;
+  }
+  return length;
+}
+
+Piece cut(const SectionProfile& profile, Side side, double from, double to)
+{
+  Piece piece;
+  for (std::size_t i = 0; i < profile.size(); ++i)
+  {
+    const double outward = sign(side) * profile.q[i];
+    if (outward < from || outward > to)
+      continue;
+    piece.q.push_back(profile.q[i]);
+    piece.z.push_back(profile.z[i]);
+  }
+  piece.weight.assign(piece.q.size(), 1.0);
+  piece.residual.resize(piece.q.size());
+  return piece;
+}
+
+/// Robust scatter of the residuals, told from some hundred of them.
+double scatterOf(const Piece& piece)
+{
+  constexpr std::size_t kEnough = 100;
+  const std::size_t stride = piece.residual.size() / kEnough + 1;
+  std::vector<double> some;
+  some.reserve(piece.residual.size() / stride + 1);
+  for (std::size_t i = 0; i < piece.residual.size(); i += stride)
+    some.push_back(piece.residual[i]);
+  return robustSigma(std::move(some));
+}
+
+/// One weighted regression about the piece's middle.
+void regress(const Piece& piece, ParentFit& fit)
+{
+  double n = 0.0, q = 0.0, z = 0.0;
+  for (std::size_t i = 0; i < piece.q.size(); ++i)
+    n += piece.weight[i], q += piece.weight[i] * piece.q[i], z += piece.weight[i] * piece.z[i];
+  q /= n, z /= n;
+  double qq = 0.0, qz = 0.0;
+  for (std::size_t i = 0; i < piece.q.size(); ++i)
+  {
+    qq += piece.weight[i] * square(piece.q[i] - q);
+    qz += piece.weight[i] * (piece.q[i] - q) * (piece.z[i] - z);
+  }
+  fit.middle = q;
+  fit.line.slope = qz / qq;
+  fit.line.height = z - fit.line.slope * q;
+  fit.covariance = Eigen::Vector2d(1.0 / n, 1.0 / qq).asDiagonal();
+}
+
+void fitRobustly(const Line& guess, double scale, Piece& piece, ParentFit& fit)
+{
+  fit.line = guess;
+  for (int round = 0; round < kRounds; ++round)
+  {
+    const double upright = std::cos(fit.line.angle());
+    for (std::size_t i = 0; i < piece.q.size(); ++i)
+      piece.residual[i] = (piece.z[i] - fit.line.at(piece.q[i])) * upright;
+    if (round > 0)
+      scale = std::min(scale, std::max(scatterOf(piece), kLeastScatter));  // a clamp widens nothing
+    double sum = 0.0;
+    for (std::size_t i = 0; i < piece.q.size(); ++i)
+      sum += piece.weight[i] = tukey(piece.residual[i] / scale);
+    if (!(sum > 8.0))
+    {
+      fit.line = Line();
+      return;
+    }
+    const double last = fit.line.at(fit.middle);
+    regress(piece, fit);
+    if (round > 1 && std::abs(fit.line.at(fit.middle) - last) < kConverged)
+      break;
+  }
+  fit.scatter = scale;
+}
+}  // namespace
+
+double ParentFit::sigmaAt(double q) const
+{
+  const double d = q - middle;
+  return std::sqrt(covariance(0, 0) + 2.0 * d * covariance(0, 1) + d * d * covariance(1, 1));
+}
+
+double roomBeside(const SectionProfile& profile, Side side, double toe)
+{
+  if (profile.size() == 0)
+    return 0.0;
+  return sign(side) * ((side == Side::Left ? profile.q.front() : profile.q.back()) - toe);
+}
+
+double parentBegin(double room, const WeldParams& params)
+{
+  return std::max(kShrunkReach, std::min(params.undercut_reach, room - 2.0 * params.min_parent_length));
+}
+
+ParentFit fitParent(const SectionProfile& profile, const ParentPiece& where, const Line& guess,
+                    const WeldParams& params)
+{
+  ParentFit fit;
+  if (!guess.valid())
+    return fit;
+  const Side side = where.side;
+  const double from = sign(side) * where.toe + where.begin;
+  Piece piece = cut(profile, side, from, from + params.parent_length);
+  if (piece.q.size() < 10)
+    return fit;
+  fitRobustly(guess, 3.0 * params.flatness, piece, fit);
+  if (!fit.valid())
+    return fit;
+  double used_from = INFINITY, used_to = -INFINITY;
+  for (std::size_t i = 0; i < piece.q.size(); ++i)
+  {
+    if (!(piece.weight[i] > 0.0))
+      continue;
+    ++fit.points;
+    used_from = std::min(used_from, sign(side) * piece.q[i]);
+    used_to = std::max(used_to, sign(side) * piece.q[i]);
+  }
+  if (!(used_to - used_from >= params.min_parent_length) || 3 * fit.points < static_cast<int>(piece.q.size()))
+  {
+    fit.line = Line();
+    return fit;
+  }
+  fit.inner = sign(side) * used_from;
+  fit.outer = sign(side) * used_to;
+  fit.correlated_cells = correlationLength(piece);
+  fit.covariance *= square(fit.scatter) * fit.correlated_cells;
+  return fit;
+}
+}  // namespace weld
+}  // namespace weld_profiler

@@ -1,0 +1,179 @@
+#include "row_beads.h"
+
+#include <algorithm>
+
+#include "row_outline.h"
+#include "row_parents.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr double kEnoughParent = 0.012;  // of a parent in view: more says no more [m]
+constexpr double kWallCost = 4e-3;       // a wall at a toe speaks against a bead like so much less of a parent [m]
+constexpr double kWidthCost = 0.1;       // and so does its width
+constexpr double kWider = 1.2;           // across an oblique bead a row is wider
+constexpr double kAboveShare = 0.6;      // of a bead's nodes lie above its reference
+
+/// One row in work.
+class RowSearch
+{
+public:
+  RowSearch(const ScanGrid& grid, int row, const WeldParams& params)
+    : row_(row), params_(params), outline_(grid, row), parents_(rowParents(outline_.nodes(), outline_.noise(), params))
+  {
+  }
+
+  RowFindings operator()()
+  {
+    RowFindings findings;
+    findings.straight = !parents_.empty();
+    std::vector<Contender> contenders;
+    for (std::size_t i = 0; i < parents_.size(); ++i)
+      for (std::size_t j = i + 1; j < parents_.size(); ++j)
+        between(i, j, contenders, findings);
+    settle(contenders, findings);
+    if (!parents_.empty())
+    {
+      beyond(parents_.back(), 1, findings);
+      beyond(parents_.front(), -1, findings);
+    }
+    return findings;
+  }
+
+private:
+  /// A bead between two parents, and how much speaks for them.
+  struct Contender
+  {
+    RowBead bead;
+    double score = 0.0;
+  };
+
+  /// Length of the runs from begin to end that lie along a line: spatter cuts a parent in pieces.
+  double lengthAlong(const Line& line, std::size_t begin, std::size_t end) const
+  {
+    double length = 0.0;
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const StraightRun& run = parents_[k];
+      const double middle = 0.5 * (run.x_from + run.x_to);
+      if (std::abs(line.above(middle, run.line.at(middle))) < 2.0 * params_.flatness)
+        length += run.length();
+    }
+    return length;
+  }
+
+  /// The best of what lies in one place.
+  static void settle(std::vector<Contender>& contenders, RowFindings& findings)
+  {
+    std::stable_sort(contenders.begin(), contenders.end(),
+                     [](const Contender& a, const Contender& b) { return a.score > b.score; });
+    for (const Contender& one : contenders)
+    {
+      const bool taken = std::any_of(findings.beads.begin(), findings.beads.end(),
+                                     [&one](const RowBead& bead)
+                                     { return one.bead.x_left < bead.x_right && bead.x_left < one.bead.x_right; });
+      if (!taken)
+        findings.beads.push_back(one.bead);
+    }
+  }
+
+  /// Straight pieces in a bead are parts of its face: they lie above its reference.
+  bool facesAbove(std::size_t i, std::size_t j, const RowBead& bead) const
+  {
+    for (std::size_t k = i + 1; k < j; ++k)
+    {
+      const double middle = 0.5 * (parents_[k].x_from + parents_[k].x_to);
+      if (middle < bead.x_left || middle > bead.x_right)
+        continue;
+      for (const double share : { 0.25, 0.75 })
+      {
+        const double x = parents_[k].x_from + share * parents_[k].length();
+        if (!(parents_[k].line.at(x) > reference(bead, x) + 2.0 * outline_.seen()))
+          return false;
+      }
+    }
+    return true;
+  }
+
+  void between(std::size_t i, std::size_t j, std::vector<Contender>& contenders, RowFindings& findings) const
+  {
+    const StraightRun& left = parents_[i];
+    const StraightRun& right = parents_[j];
+    RowBead bead;
+    bead.row = row_;
+    bead.left = clearLine(outline_.nodes(), left, -1, params_.parent_length);
+    bead.right = clearLine(outline_.nodes(), right, 1, params_.parent_length);
+    const int first = outline_.firstOff((left.first + left.end) / 2, right.first, bead.left, params_.min_width);
+    const int last = outline_.firstOff((right.first + right.end) / 2, left.end - 1, bead.right, params_.min_width);
+    findings.sunken = findings.sunken || (j == i + 1 && liesBelow(left, right));
+    if (first > last)
+      return;
+    outline_.setToes(first, last, bead);
+    const int top = outline_.highest(first, last, bead);
+    const int from = outline_.footOf(top, first, bead.left, bead), to = outline_.footOf(top, last, bead.right, bead);
+    outline_.setToes(from, to, bead);
+    if (!isBead(from, to, bead) || !facesAbove(i, j, bead))
+      return;
+    const int walls = (outline_.wall(bead.x_left) ? 1 : 0) + (outline_.wall(bead.x_right) ? 1 : 0);
+    findings.block = findings.block || walls == 2;
+    if (walls == 2)
+      return;
+    const double support = std::min(lengthAlong(bead.left, 0, i + 1), kEnoughParent) +
+                           std::min(lengthAlong(bead.right, j, parents_.size()), kEnoughParent);
+    contenders.push_back(Contender{ bead, support - walls * kWallCost - kWidthCost * (bead.x_right - bead.x_left) });
+  }
+
+  bool isBead(int first, int last, RowBead& bead) const
+  {
+    const double width = bead.x_right - bead.x_left;
+    if (!(width >= params_.min_width && width <= kWider * params_.max_width) || last - first < 2)
+      return false;
+    const double above = outline_.sumUp(first, last, bead);
+    return bead.height > std::max(params_.min_height, outline_.seen()) && bead.area > 0.0 && above > kAboveShare;
+  }
+
+  /// A bead that runs out of view beyond the last (side 1) or first (-1) parent.
+  void beyond(const StraightRun& parent, int side, RowFindings& findings) const
+  {
+    const int end = side > 0 ? outline_.size() : -1;
+    const int first = outline_.firstOff((parent.first + parent.end) / 2, end, parent.line, params_.min_width);
+    if (first == end)
+      return;
+    const int last = end - side;
+    RowBead bead;
+    bead.row = row_;
+    (side > 0 ? bead.left : bead.right) = parent.line;
+    bead.x_left = outline_.node(std::min(first, last)).x;
+    bead.x_right = outline_.node(std::max(first, last)).x;
+    if (isBead(std::min(first, last), std::max(first, last), bead) &&
+        !outline_.wall(side > 0 ? bead.x_left : bead.x_right))
+      findings.beads.push_back(bead);
+  }
+
+  bool liesBelow(const StraightRun& left, const StraightRun& right) const
+  {
+    int below = 0;
+    for (int i = left.end; i < right.first; ++i)
+      below += left.line.above(outline_.node(i).x, outline_.node(i).z) < -params_.min_height - outline_.seen() &&
+                       right.line.above(outline_.node(i).x, outline_.node(i).z) < -params_.min_height - outline_.seen()
+                   ? 1
+                   : 0;
+    return right.x_from - left.x_to >= params_.min_width && 3 * below > 2 * (right.first - left.end);
+  }
+
+  int row_;
+  const WeldParams& params_;
+  RowOutline outline_;
+  std::vector<StraightRun> parents_;
+};
+}  // namespace
+
+RowFindings findRowBeads(const ScanGrid& grid, int row, const WeldParams& params)
+{
+  return RowSearch(grid, row, params)();
+}
+}  // namespace weld
+}  // namespace weld_profiler

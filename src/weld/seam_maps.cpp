@@ -1,0 +1,123 @@
+#include "seam_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+class MapFiller
+{
+public:
+  MapFiller(const SeamView& view, const std::vector<double>& undercut_left, const std::vector<double>& undercut_right,
+            const WeldParams& params)
+    : view_(view), undercut_left_(undercut_left), undercut_right_(undercut_right), params_(params)
+  {
+    grid_row_.assign(view.scan.rows.size(), -1);
+    for (int row = 0; row < view.grid.rows; ++row)
+      grid_row_[static_cast<std::size_t>(view.grid.scan_row[static_cast<std::size_t>(row)])] = row;
+  }
+
+  void operator()(WeldResult& result) const
+  {
+    const std::size_t count = view_.scan.rows.size() * view_.scan.cells;
+    result.labels.assign(count, static_cast<std::uint8_t>(WeldLabel::Unknown));
+    result.removal.assign(count, std::numeric_limits<float>::quiet_NaN());
+    result.target.assign(count, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t row = 0; row < view_.scan.rows.size(); ++row)
+      for (const CloudPoint& point : view_.scan.rows[row].points)
+        fill(row, point, result);
+  }
+
+private:
+  void fill(std::size_t row, const CloudPoint& point, WeldResult& result) const
+  {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z) || grid_row_[row] < 0)
+      return;
+    const std::size_t in_grid = view_.grid.at(grid_row_[row], view_.grid.column(point.cell));
+    const bool measured = std::isfinite(view_.grid.z[in_grid]);
+    const PathPlace place = measured ? view_.sampler.place(in_grid)
+                                     : view_.path.locate(static_cast<double>(point.x), static_cast<double>(point.y),
+                                                         view_.sampler.place(in_grid).s);
+    const Stray stray = measured ? view_.strays.kind[in_grid] : Stray::None;
+    const std::size_t k = view_.zones.nearestSection(place.s);
+    const double z = static_cast<double>(point.z);
+    const std::size_t at = row * view_.scan.cells + point.cell;
+    const WeldLabel label = labelOf(k, place, z, stray);
+    result.labels[at] = static_cast<std::uint8_t>(label);
+    const double flush = view_.zones.flush(k, place.q);
+    if (!std::isfinite(flush) || beyondEnds(place.s))
+      return;
+    const bool weld = view_.zones.zone(k, place.q) == Zone::Weld;
+    const double target = flush + (weld ? restHeight(params_) : 0.0);
+    result.target[at] = static_cast<float>(target);
+    if (label == WeldLabel::Bead || label == WeldLabel::Spatter)
+      result.removal[at] = static_cast<float>(std::max(0.0, z - target));
+    else if (label == WeldLabel::Base || label == WeldLabel::Undercut)
+      result.removal[at] = 0.0F;
+  }
+
+  bool beyondEnds(double s) const
+  {
+    const std::vector<double>& places = view_.sections.places();
+    return (view_.begins && s < places.front()) || (view_.ends && s > places.back());
+  }
+
+  WeldLabel labelOf(std::size_t k, const PathPlace& place, double z, Stray stray) const
+  {
+    if (stray == Stray::Foreign)
+      return WeldLabel::Unknown;
+    if (stray == Stray::Spatter)
+      return WeldLabel::Spatter;
+    const Zone zone = view_.zones.zone(k, place.q);
+    const SectionShape& shape = view_.sections.shape(k);
+    if (zone == Zone::Nowhere)
+      return WeldLabel::Unknown;
+    if (beyondEnds(place.s))
+      return besideEnd(shape, place, z) ? WeldLabel::Base : WeldLabel::Unknown;
+    if (zone == Zone::Weld)
+      return WeldLabel::Bead;
+    const bool left = zone == Zone::LeftParent;
+    const double outside = std::abs(place.q - view_.sections.mappedToe(k, left ? Side::Left : Side::Right));
+    if (outside < (left ? undercut_left_[k] : undercut_right_[k]))
+      return WeldLabel::Undercut;
+    const ParentFit& parent = left ? shape.left : shape.right;
+    const double tolerance = std::max(3.0 * params_.flatness, 8.0 * parent.scatter) + view_.zones.slack(place.s);
+    const bool near_toe = outside < params_.undercut_reach;  // rims of undercuts too shallow to be one
+    return near_toe || std::abs(parent.line.above(place.q, z)) < tolerance ? WeldLabel::Base : WeldLabel::Unknown;
+  }
+
+  /// Plate before the bead begins and behind where it ends: near one of the parents continued.
+  bool besideEnd(const SectionShape& shape, const PathPlace& place, double z) const
+  {
+    const double tolerance = std::max(3.0 * params_.flatness, 8.0 * std::max(shape.left.scatter, shape.right.scatter)) +
+                             view_.zones.slack(place.s);
+    return std::abs(shape.left.line.above(place.q, z)) < tolerance ||
+           std::abs(shape.right.line.above(place.q, z)) < tolerance;
+  }
+
+  const SeamView& view_;
+  const std::vector<double>& undercut_left_;
+  const std::vector<double>& undercut_right_;
+  const WeldParams& params_;
+  std::vector<int> grid_row_;  ///< of each row of the scan
+};
+}  // namespace
+
+double restHeight(const WeldParams& params)
+{
+  return params.target == "rest" ? params.rest_height : 0.0;
+}
+
+void fillMaps(const SeamView& view, const std::vector<double>& undercut_left, const std::vector<double>& undercut_right,
+              const WeldParams& params, WeldResult& result)
+{
+  MapFiller(view, undercut_left, undercut_right, params)(result);
+}
+}  // namespace weld
+}  // namespace weld_profiler

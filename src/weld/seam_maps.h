@@ -1,0 +1,34 @@
+#pragma once
+
+#include "scan_grid.h"
+#include "seam_surface.h"
+#include "spots.h"
+#include "weld_profiler/core/scan.h"
+#include "weld_profiler/weld/weld_result.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+/// What the maps of a result are filled from.
+struct SeamView
+{
+  const Scan& scan;
+  const ScanGrid& grid;
+  const WeldPath& path;
+  const SectionSampler& sampler;
+  const SeamSections& sections;
+  const SeamZones& zones;
+  const Strays& strays;
+  bool begins = false;  ///< the bead's first end lies within the scan
+  bool ends = false;    ///< and its last
+};
+
+/// Fills labels, removal and target of a result for every point of the scan, filled-in ones included.
+void fillMaps(const SeamView& view, const std::vector<double>& undercut_left, const std::vector<double>& undercut_right,
+              const WeldParams& params, WeldResult& result);
+
+/// How far the target stands above flush [m].
+double restHeight(const WeldParams& params);
+}  // namespace weld
+}  // namespace weld_profiler

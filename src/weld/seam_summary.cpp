@@ -1,0 +1,206 @@
+#include "seam_summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ripples.h"
+#include "seam_maps.h"
+#include "section_heights.h"
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr double kSigmas = 3.0;     // a bead rises by at least so many
+constexpr double kErrAlike = 5e-3;  // sections nearer than this share their parents' error [m]
+constexpr double kBridge = 2.5;     // median steps between two sections that an integral goes on over
+
+bool rises(const Quantity& height)
+{
+  return height.measured() && height.value > kSigmas * height.sigma;
+}
+
+/// Area of a section above the target [m^2].
+double areaAboveTarget(const SectionProfile& profile, const SectionShape& shape, double rest)
+{
+  const Line chord = shape.chord();
+  double area = 0.0, last_q = shape.toe_left.q, last_above = 0.0;
+  for (std::size_t i = 0; i < profile.size(); ++i)
+  {
+    const double q = profile.q[i];
+    if (q <= last_q || q >= shape.toe_right.q)
+      continue;
+    const double above = std::max(0.0, profile.z[i] - chord.at(q) - rest);
+    area += 0.5 * (above + last_above) * (q - last_q);
+    last_q = q, last_above = above;
+  }
+  return area + 0.5 * last_above * (shape.toe_right.q - last_q);
+}
+
+/// Length of weld that each section stands for; nothing is added for breaks [m].
+std::vector<double> lengthsOf(const std::vector<double>& s, const std::vector<bool>& measured)
+{
+  std::vector<double> steps, lengths(s.size(), 0.0);
+  for (std::size_t k = 1; k < s.size(); ++k)
+    steps.push_back(s[k] - s[k - 1]);
+  const double step = median(steps);
+  std::size_t last = s.size();
+  for (std::size_t k = 0; k < s.size(); ++k)
+  {
+    if (!measured[k])
+      continue;
+    const bool joined = last < s.size() && s[k] - s[last] < kBridge * step;
+    const double half = joined ? 0.5 * (s[k] - s[last]) : 0.5 * step;
+    lengths[k] += half;
+    if (joined)
+      lengths[last] += half;
+    else if (last < s.size())
+      lengths[last] += 0.5 * step;
+    last = k;
+  }
+  if (last < s.size())
+    lengths[last] += 0.5 * step;
+  return lengths;
+}
+
+void fillVolumes(const SeamSections& sections, const WeldParams& params, WeldResult& result)
+{
+  std::vector<bool> measured;
+  for (const WeldSection& section : result.sections)
+    measured.push_back(section.area.measured());
+  const std::vector<double> lengths = lengthsOf(sections.places(), measured);
+  double volume = 0.0, removal = 0.0, length = 0.0;
+  std::vector<double> sigmas;
+  for (std::size_t k = 0; k < lengths.size(); ++k)
+  {
+    if (!measured[k] || !std::isfinite(lengths[k]))
+      continue;
+    volume += result.sections[k].area.value * lengths[k];
+    removal += areaAboveTarget(sections.profile(k), sections.shape(k), restHeight(params)) * lengths[k];
+    length += lengths[k];
+    sigmas.push_back(result.sections[k].area.sigma);
+  }
+  if (sigmas.empty())
+    return;
+  const double sigma = median(sigmas) * length / std::sqrt(std::max(1.0, length / kErrAlike));
+  result.volume = Quantity{ volume, sigma };
+  result.removal_volume = Quantity{ removal, sigma };
+}
+
+void fillRipples(const SeamSections& sections, WeldResult& result)
+{
+  std::vector<double> heights, sigmas;
+  for (std::size_t k = 0; k < sections.size(); ++k)
+  {
+    heights.push_back(kNaN);
+    if (!result.sections[k].hasBead())
+      continue;
+    const SectionShape& shape = sections.shape(k);
+    HeightSpan span;
+    span.from = 0.5 * (shape.toe_left.q + shape.toe_right.q) - span.half_window;
+    span.to = span.from + 2.0 * span.half_window;
+    span.step = span.half_window;
+    span.energy = shape.energy();
+    const std::vector<HeightNode> nodes = localHeights(sections.profile(k), span);
+    if (nodes.size() != 3)
+      continue;
+    heights.back() = shape.chord().above(nodes[1].q, nodes[1].z);
+    sigmas.push_back(nodes[1].sigma);
+  }
+  const Ripples ripples = findRipples(sections.places(), heights, median(sigmas));
+  result.ripple_pitch = ripples.pitch;
+  result.ripple_height = ripples.height;
+}
+
+SectionStatistics statisticsOf(const char* name, const Quantity WeldSection::*field,
+                               const std::vector<WeldSection>& sections)
+{
+  SectionStatistics result;
+  result.name = name;
+  double sum = 0.0, squares = 0.0;
+  std::vector<double> sigmas;
+  for (const WeldSection& section : sections)
+  {
+    const Quantity& quantity = section.*field;
+    if (!quantity.measured())
+      continue;
+    result.least = result.count == 0 ? quantity.value : std::min(result.least, quantity.value);
+    result.largest = result.count == 0 ? quantity.value : std::max(result.largest, quantity.value);
+    ++result.count;
+    sum += quantity.value;
+    squares += square(quantity.value);
+    sigmas.push_back(quantity.sigma);
+  }
+  if (result.count == 0)
+    return result;
+  const double mean = sum / result.count;
+  result.deviation = std::sqrt(std::max(0.0, squares / result.count - mean * mean));
+  result.mean = Quantity{ mean, median(sigmas) };  // neighbours err alike: the mean is hardly better than one
+  return result;
+}
+
+void fillStatistics(WeldResult& result)
+{
+  const std::pair<const char*, Quantity WeldSection::*> fields[] = {
+    { "width", &WeldSection::width },
+    { "reinforcement", &WeldSection::reinforcement },
+    { "height_left", &WeldSection::height_left },
+    { "height_right", &WeldSection::height_right },
+    { "toe_angle_left", &WeldSection::toe_angle_left },
+    { "toe_angle_right", &WeldSection::toe_angle_right },
+    { "undercut_left", &WeldSection::undercut_left },
+    { "undercut_right", &WeldSection::undercut_right },
+    { "misalignment", &WeldSection::misalignment },
+    { "angle", &WeldSection::angle },
+    { "area", &WeldSection::area },
+    { "incomplete_fill", &WeldSection::incomplete_fill },
+    { "leg_left", &WeldSection::leg_left },
+    { "leg_right", &WeldSection::leg_right },
+    { "throat", &WeldSection::throat },
+  };
+  for (const auto& field : fields)
+    result.statistics.push_back(statisticsOf(field.first, field.second, result.sections));
+}
+}  // namespace
+
+void refuseDoubtful(const WeldParams& params, WeldSection& section)
+{
+  // with its top under spatter a face is known by its toes alone
+  const bool bead = !section.reinforcement.measured() || rises(section.reinforcement) ||
+                    (rises(section.height_left) && rises(section.height_right));
+  if (!section.hasBead() || (section.width.sigma <= params.max_width_sigma && bead))
+    return;
+  const WeldSection doubtful = section;
+  section = WeldSection();
+  section.section = doubtful.section, section.row = doubtful.row, section.stage = doubtful.stage;
+  section.s = doubtful.s, section.yaw = doubtful.yaw;
+  section.reference = SectionReference::ParentLines;
+  section.misalignment = doubtful.misalignment;
+  section.angle = doubtful.angle;
+}
+
+void summarise(const SeamSections& sections, const WeldParams& params, WeldResult& result)
+{
+  int measured = 0;
+  double first = kNaN, last = kNaN;
+  for (const WeldSection& section : result.sections)
+  {
+    if (!section.hasBead())
+      continue;
+    ++measured;
+    first = std::isfinite(first) ? first : section.s;
+    last = section.s;
+  }
+  if (!result.sections.empty())
+    result.measured_share = static_cast<double>(measured) / static_cast<double>(result.sections.size());
+  if (measured > 1)
+    result.length = Quantity{ last - first, std::abs(result.sections[1].s - result.sections[0].s) };
+  fillVolumes(sections, params, result);
+  fillRipples(sections, result);
+  fillStatistics(result);
+}
+}  // namespace weld
+}  // namespace weld_profiler

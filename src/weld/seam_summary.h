@@ -1,0 +1,17 @@
+#pragma once
+
+#include "seam_sections.h"
+#include "weld_profiler/weld/weld_result.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+/// Takes the bead out of a section whose width is not certain enough, or whose face does not rise above its reference
+/// by 3 sigma: no plausible-looking nonsense.
+void refuseDoubtful(const WeldParams& params, WeldSection& section);
+
+/// Length, measured share, volumes, ripples and statistics of a result whose sections are filled.
+void summarise(const SeamSections& sections, const WeldParams& params, WeldResult& result);
+}  // namespace weld
+}  // namespace weld_profiler

@@ -1,0 +1,202 @@
+#include "seam_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr double kBin = 1e-4;          // [m]
+constexpr int kOutside = 30;           // bins outside of each toe
+constexpr double kReach = 2e-3;        // sections this near make the median [m]
+constexpr std::size_t kMost = 15;      // of them at most so many, evenly chosen
+constexpr double kSigmas = 6.0;        // of a parent's noise
+constexpr double kRippleSigmas = 3.0;  // of the face's departures: a sine has none beyond 1, told by its median
+constexpr double kLeastFace = 6e-5;    // ripples and blurred kinks depart by less [m]
+constexpr double kLeastParent = 3e-5;  // [m]
+constexpr double kSlack = 0.05;        // per metre beyond the sections
+}  // namespace
+
+SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zones_(sections)
+{
+  std::vector<double> widths, scatters;
+  for (std::size_t k = 0; k < sections.size(); ++k)
+  {
+    const SectionShape& shape = sections.shape(k);
+    if (shape.whole())
+      widths.push_back(shape.toe_right.q - shape.toe_left.q);
+    for (const ParentFit* parent : { &shape.left, &shape.right })
+      if (parent->valid())
+        scatters.push_back(parent->scatter);
+  }
+  const double scatter = median(scatters), width = median(widths);
+  parent_tolerance_ = std::max(kLeastParent, std::isfinite(scatter) ? kSigmas * scatter : 0.0);
+  inside_ = std::isfinite(width) ? std::max(4, static_cast<int>(std::lround(width / kBin))) : 4;
+  bins_ = inside_ + 1 + 2 * kOutside;
+  std::vector<float> rises(sections.size() * static_cast<std::size_t>(bins_), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    sampleSection(k, rises);
+  fillMedians(rises);
+}
+
+std::size_t SeamZones::nearestSection(double s) const
+{
+  const std::vector<double>& places = sections_.places();
+  const auto after = std::lower_bound(places.begin(), places.end(), s);
+  if (after == places.begin())
+    return 0;
+  const auto k = static_cast<std::size_t>(after - places.begin());
+  if (after == places.end() || s - places[k - 1] < *after - s)
+    return k - 1;
+  return k;
+}
+
+Zone SeamZones::zone(std::size_t k, double q) const
+{
+  const SectionShape& shape = sections_.shape(k);
+  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
+  if (q < left)
+    return shape.left.valid() ? Zone::LeftParent : Zone::Nowhere;
+  if (q > right)
+    return shape.right.valid() ? Zone::RightParent : Zone::Nowhere;
+  return left < right && shape.left.valid() && shape.right.valid() ? Zone::Weld : Zone::Nowhere;
+}
+
+double SeamZones::flush(std::size_t k, double q) const
+{
+  const SectionShape& shape = sections_.shape(k);
+  switch (zone(k, q))
+  {
+    case Zone::LeftParent:
+      return shape.left.line.at(q);
+    case Zone::RightParent:
+      return shape.right.line.at(q);
+    case Zone::Weld:
+    {
+      const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
+      const double share = (q - left) / (right - left);
+      return (1.0 - share) * shape.left.line.at(left) + share * shape.right.line.at(right);
+    }
+    case Zone::Nowhere:
+      break;
+  }
+  return kNaN;
+}
+
+double SeamSurface::binOf(std::size_t k, double q) const
+{
+  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
+  switch (zones_.zone(k, q))
+  {
+    case Zone::LeftParent:
+      return kOutside - (left - q) / kBin;
+    case Zone::RightParent:
+    {
+      const double bin = kOutside + inside_ + (q - right) / kBin;
+      return bin < bins_ - 1 ? bin : -1.0;
+    }
+    case Zone::Weld:
+      return kOutside + inside_ * (q - left) / (right - left);
+    case Zone::Nowhere:
+      break;
+  }
+  return -1.0;
+}
+
+double SeamSurface::placeOf(std::size_t k, int bin) const
+{
+  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
+  if (bin < kOutside)
+    return left - (kOutside - bin) * kBin;
+  if (bin > kOutside + inside_)
+    return right + (bin - kOutside - inside_) * kBin;
+  return left + (right - left) * (bin - kOutside) / inside_;
+}
+
+void SeamSurface::sampleSection(std::size_t k, std::vector<float>& rises) const
+{
+  if (!std::isfinite(placeOf(k, 0) + placeOf(k, bins_ - 1)))
+    return;
+  const SectionProfile& profile = sections_.profile(k);
+  std::size_t after = 0;
+  for (int bin = 0; bin < bins_; ++bin)
+  {
+    const double q = placeOf(k, bin);
+    while (after < profile.size() && profile.q[after] < q)
+      ++after;
+    if (after == 0 || after == profile.size() || profile.q[after] - profile.q[after - 1] > 3.0 * kBin)
+      continue;
+    const double share = (q - profile.q[after - 1]) / (profile.q[after] - profile.q[after - 1]);
+    const double z = profile.z[after - 1] + share * (profile.z[after] - profile.z[after - 1]);
+    rises[k * static_cast<std::size_t>(bins_) + static_cast<std::size_t>(bin)] =
+        static_cast<float>(z - zones_.flush(k, q));
+  }
+}
+
+void SeamSurface::fillMedians(const std::vector<float>& rises)
+{
+  const auto columns = static_cast<std::size_t>(bins_);
+  const std::vector<double>& places = sections_.places();
+  medians_.assign(rises.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<std::vector<double>> departures(columns);
+  std::vector<double> near;
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    const auto begin =
+        static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), places[k] - kReach) - places.begin());
+    const auto end =
+        static_cast<std::size_t>(std::upper_bound(places.begin(), places.end(), places[k] + kReach) - places.begin());
+    const std::size_t stride = (end - begin + kMost - 1) / kMost;
+    for (std::size_t bin = 0; bin < columns; ++bin)
+    {
+      near.clear();
+      for (std::size_t j = begin; j < end; j += stride)
+        if (std::isfinite(rises[j * columns + bin]))
+          near.push_back(static_cast<double>(rises[j * columns + bin]));
+      const double middle = median(near);
+      medians_[k * columns + bin] = static_cast<float>(middle);
+      departures[bin].push_back(static_cast<double>(rises[k * columns + bin]) - middle);
+    }
+  }
+  for (std::size_t bin = 0; bin < columns; ++bin)
+  {
+    const double sigma = robustSigma(std::move(departures[bin]));
+    tolerances_.push_back(static_cast<float>(std::max(kLeastFace, std::isfinite(sigma) ? kRippleSigmas * sigma : 0.0)));
+  }
+}
+
+double SeamSurface::rise(std::size_t k, double bin) const
+{
+  const auto below = static_cast<std::size_t>(bin);
+  const std::size_t at = k * static_cast<std::size_t>(bins_) + below;
+  const double share = bin - static_cast<double>(below);
+  const double first = static_cast<double>(medians_[at]);
+  return share > 0.0 ? first + share * (static_cast<double>(medians_[at + 1]) - first) : first;
+}
+
+double SeamSurface::departure(std::size_t k, double q, double z) const
+{
+  const double bin = binOf(k, q);
+  return z - zones_.flush(k, q) - (bin >= 0.0 ? rise(k, bin) : 0.0);
+}
+
+double SeamZones::slack(double s) const
+{
+  const std::vector<double>& places = sections_.places();
+  return kSlack * std::max(0.0, std::max(places.front() - s, s - places.back()));
+}
+
+double SeamSurface::tolerance(std::size_t k, const PathPlace& place) const
+{
+  const double bin = binOf(k, place.q);
+  const double known =
+      bin >= 0.0 ? static_cast<double>(tolerances_[static_cast<std::size_t>(std::lround(bin))]) : parent_tolerance_;
+  return known + zones_.slack(place.s);
+}
+}  // namespace weld
+}  // namespace weld_profiler

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "section_sampler.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+/// Height of the surface at one place of a section, from a parabola fitted to the points around it.
+struct HeightNode
+{
+  double q = 0.0, z = 0.0;
+  double sigma = 0.0;  ///< of z [m]
+  double bend = 0.0;   ///< second derivative [1/m]
+};
+
+/// What local fits are made over.
+struct HeightSpan
+{
+  double from = 0.0, to = 0.0;  ///< points outside are not looked at [m]
+  double half_window = 3e-4;    ///< of each fit [m]
+  double step = 1e-4;           ///< between nodes [m]
+  double max_gap = 5e-4;        ///< no node in a longer break [m]
+  double energy = 0.0;          ///< variance of a point times the neighbours that share its error [m^2]
+};
+
+/// Local fits from `from` to `to`. Places in a break, or with less than five points around, have no node.
+std::vector<HeightNode> localHeights(const SectionProfile& profile, const HeightSpan& span);
+
+/// Longest break between neighbouring points in [from, to], its ends included [m].
+double longestGap(const SectionProfile& profile, double from, double to);
+}  // namespace weld
+}  // namespace weld_profiler

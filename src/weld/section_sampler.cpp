@@ -1,0 +1,103 @@
+#include "section_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr double kBridge = 3.2;  // rows that may lie between two points interpolated between
+constexpr double kAlone = 0.6;   // rows that one point alone may be off the plane
+}  // namespace
+
+SectionSampler::SectionSampler(const ScanGrid& grid, const WeldPath& path) : grid_(grid), path_(path)
+{
+  places_.resize(grid.z.size());
+  for (int row = 0; row < grid.rows; ++row)
+    placeRow(row);
+}
+
+/// Holes have a place, too: where the row would go on. The search for a plane walks over them.
+void SectionSampler::placeRow(int row)
+{
+  int first = 0;
+  while (first < grid_.cells && !std::isfinite(grid_.z[grid_.at(row, first)]))
+    ++first;
+  if (first == grid_.cells)
+    return;  // rows without points are not in the grid
+  const std::size_t begin = grid_.at(row, 0);
+  double x = static_cast<double>(grid_.x[begin + static_cast<std::size_t>(first)]) - (first + 1) * grid_.spacing;
+  double y = static_cast<double>(grid_.y[begin + static_cast<std::size_t>(first)]);
+  double near_s = path_.sAt(y);
+  for (std::size_t i = begin; i < begin + static_cast<std::size_t>(grid_.cells); ++i)
+  {
+    const bool hole = !std::isfinite(grid_.z[i]);
+    x = hole ? x + grid_.spacing : static_cast<double>(grid_.x[i]);
+    y = hole ? y : static_cast<double>(grid_.y[i]);
+    places_[i] = path_.locate(x, y, near_s);
+    near_s = places_[i].s;
+  }
+}
+
+void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, SectionProfile& profile) const
+{
+  profile.place = path_.at(s);
+  const auto nearest = std::lower_bound(grid_.row_y.begin(), grid_.row_y.end(), profile.place.y);
+  int middle = static_cast<int>(nearest - grid_.row_y.begin());
+  if (middle == grid_.rows || (middle > 0 && profile.place.y - grid_.row_y[static_cast<std::size_t>(middle) - 1] <
+                                                 grid_.row_y[static_cast<std::size_t>(middle)] - profile.place.y))
+    --middle;
+  profile.scan_row = grid_.scan_row[static_cast<std::size_t>(middle)];
+  profile.row_pitch = grid_.pitch * std::cos(profile.place.yaw);
+  for (std::vector<double>* field : { &profile.q, &profile.z, &profile.sigma })
+    field->clear();
+  profile.column.clear();
+  const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
+  const int reach = 3;
+  int row = middle;  // where the last column crossed the plane
+  for (int column = 0; column < grid_.cells; ++column)
+  {
+    const auto along = [&](int r) { return places_[grid_.at(r, column)].s; };
+    while (row + 1 < grid_.rows && along(row + 1) <= s)
+      ++row;
+    while (row > 0 && along(row) > s)
+      --row;
+    int below = -1, above = -1;
+    for (int r = std::min(grid_.rows - 1, row + 1); r >= std::max(0, row - reach) && below < 0; --r)
+      if (usable(grid_.at(r, column)) && along(r) <= s)
+        below = r;
+    for (int r = std::max(0, row - 1); r <= std::min(grid_.rows - 1, row + 1 + reach) && above < 0; ++r)
+      if (usable(grid_.at(r, column)) && along(r) > s)
+        above = r;
+    add(s, column, below, above, profile);
+  }
+}
+
+void SectionSampler::add(double s, int column, int below, int above, SectionProfile& profile) const
+{
+  const double before = below < 0 ? kNaN : s - places_[grid_.at(below, column)].s;
+  const double after = above < 0 ? kNaN : places_[grid_.at(above, column)].s - s;
+  double share = kNaN;  // of the point above
+  if (before + after <= kBridge * profile.row_pitch)
+    share = before / (before + after);
+  else if (before <= kAlone * profile.row_pitch)
+    share = 0.0;
+  else if (after <= kAlone * profile.row_pitch)
+    share = 1.0;
+  else
+    return;
+  const std::size_t a = grid_.at(share < 1.0 ? below : above, column);
+  const std::size_t b = grid_.at(share > 0.0 ? above : below, column);
+  profile.q.push_back((1.0 - share) * places_[a].q + share * places_[b].q);
+  profile.z.push_back((1.0 - share) * static_cast<double>(grid_.z[a]) + share * static_cast<double>(grid_.z[b]));
+  profile.sigma.push_back(std::sqrt(square((1.0 - share) * static_cast<double>(grid_.sigma[a])) +
+                                    square(share * static_cast<double>(grid_.sigma[b]))));
+  profile.column.push_back(column);
+}
+}  // namespace weld
+}  // namespace weld_profiler

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scan_grid.h"
+#include "weld_path.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+/// The outline in one plane across the weld's path: points with rising column, q rising with them but for noise.
+struct SectionProfile
+{
+  WeldPathPoint place;
+  int scan_row = 0;           ///< nearest row of the scan
+  double row_pitch = 0.0;     ///< distance of rows along the path here [m]
+  std::vector<double> q, z;   ///< [m]
+  std::vector<double> sigma;  ///< of z [m]
+  std::vector<int> column;
+
+  std::size_t size() const { return q.size(); }
+};
+
+/// Cuts the organised surface with planes across the path. In each column the point is interpolated between the rows on
+/// either side of the plane, so that rows add no slope and no ripple; one row alone serves where it is within 0.6
+/// rows.
+class SectionSampler
+{
+public:
+  /// @param grid  must outlive the sampler.
+  SectionSampler(const ScanGrid& grid, const WeldPath& path);
+
+  const PathPlace& place(std::size_t point) const { return places_[point]; }
+
+  /// @param masked   points to leave out, one a point of the grid; empty = none.
+  /// @param profile  filled.
+  void sample(double s, const std::vector<std::uint8_t>& masked, SectionProfile& profile) const;
+
+private:
+  void placeRow(int row);
+  void add(double s, int column, int below, int above, SectionProfile& profile) const;
+
+  const ScanGrid& grid_;
+  const WeldPath& path_;
+  std::vector<PathPlace> places_;
+};
+}  // namespace weld
+}  // namespace weld_profiler

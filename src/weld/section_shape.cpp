@@ -1,0 +1,219 @@
+#include "section_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "section_heights.h"
+#include "statistics.h"
+#include "undercut.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr double kNodeWindow = 3.5e-4;     // of the face's local fits [m]
+constexpr double kUnseenRim = 1.2e-3;      // of the face at a toe; with more unseen its top may be there [m]
+constexpr double kFaceEnergy = 1.6;        // of the face's points over that of the parents': it is curved and rippled
+constexpr double kFaceBias = 1e-6;         // what the face's points err alike [m]
+constexpr double kLongestBridge = 1.6e-3;  // break in the face (spatter) that its area is bridged over [m]
+
+/// Error of a toe across the chord: that of its parent's height, and what its shift along the parent makes.
+double toeSigmaAcross(const ToeFit& toe, const ParentFit& parent, const Line& chord)
+{
+  return std::hypot(parent.sigmaAt(toe.q), toe.sigma * std::sin(parent.line.angle() - chord.angle()));
+}
+
+SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const ParentFit& parent)
+{
+  SectionPoint point;
+  const double across = toe.sigma * std::cos(parent.line.angle());
+  point.x = Quantity{ place.x + std::cos(place.yaw) * toe.q, std::abs(std::cos(place.yaw)) * across };
+  point.y = Quantity{ place.y + std::sin(place.yaw) * toe.q, std::abs(std::sin(place.yaw)) * across };
+  point.z = Quantity{ toe.z, std::hypot(parent.sigmaAt(toe.q), parent.line.slope * across) };
+  return point;
+}
+
+/// Largest distance of the face above a line; not measured beside a break.
+/// @param step  between nodes where there is no break [m].
+Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step)
+{
+  Quantity result;
+  std::size_t best = nodes.size();
+  double top = -INFINITY;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const double above = line.above(nodes[i].q, nodes[i].z);
+    if (!(above > top))
+      continue;
+    top = above;
+    best = i;
+  }
+  if (best == nodes.size())
+    return result;
+  const bool break_before = best > 0 && nodes[best].q - nodes[best - 1].q > 1.5 * step;
+  const bool break_after = best + 1 < nodes.size() && nodes[best + 1].q - nodes[best].q > 1.5 * step;
+  if (break_before || break_after)
+    return result;
+  // between nodes the surface bends as the fit says
+  if (best > 0 && best + 1 < nodes.size())
+  {
+    const double before = line.above(nodes[best - 1].q, nodes[best - 1].z);
+    const double after = line.above(nodes[best + 1].q, nodes[best + 1].z);
+    const double bend = before - 2.0 * top + after;
+    if (bend < 0.0)
+      top -= square(after - before) / (8.0 * bend);
+  }
+  return Quantity{ top, nodes[best].sigma };
+}
+
+void fillHeights(const std::vector<HeightNode>& nodes, double step, const SectionShape& shape, WeldSection& section)
+{
+  const Line chord = shape.chord();
+  const double middle = 0.5 * (shape.toe_left.q + shape.toe_right.q);
+  if (!nodes.empty() && nodes.front().q - shape.toe_left.q < kUnseenRim &&
+      shape.toe_right.q - nodes.back().q < kUnseenRim)
+    section.reinforcement = largestAbove(nodes, chord, step);
+  section.reinforcement.sigma = std::hypot(section.reinforcement.sigma, shape.chordSigma(middle));
+  std::vector<HeightNode> with_toes = nodes;
+  for (const ToeFit* toe : { &shape.toe_left, &shape.toe_right })
+  {
+    HeightNode node;
+    node.q = toe->q, node.z = toe->z, node.sigma = toe->sigma * std::sin(toe->flank);
+    with_toes.insert(toe == &shape.toe_left ? with_toes.begin() : with_toes.end(), node);
+  }
+  for (const Side side : { Side::Left, Side::Right })
+  {
+    Quantity& height = side == Side::Left ? section.height_left : section.height_right;
+    if (section.reinforcement.measured())
+      height = largestAbove(with_toes, shape.parent(side).line, 1.0);
+    height.sigma = std::hypot(height.sigma, shape.parent(side).sigmaAt(middle));
+  }
+  double deepest = 0.0, sigma = kNaN;
+  for (const HeightNode& node : nodes)
+  {
+    const double depth = -chord.above(node.q, node.z);
+    if (!(depth > deepest) && std::isfinite(sigma))
+      continue;
+    deepest = std::max(0.0, depth);
+    sigma = std::hypot(node.sigma, shape.chordSigma(node.q));
+  }
+  if (std::isfinite(section.reinforcement.value))
+    section.incomplete_fill = Quantity{ deepest, sigma };
+}
+
+Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, double blur)
+{
+  const Line chord = shape.chord();
+  const double from = shape.toe_left.q, to = shape.toe_right.q;
+  const double gap = longestGap(profile, from, to);
+  if (gap > kLongestBridge || gap > 0.3 * (to - from))
+    return Quantity();
+  double area = 0.0, last_q = from, last_above = 0.0, bridged = 0.0;
+  int points = 0;
+  const auto add = [&](double q, double above)
+  {
+    area += 0.5 * (above + last_above) * (q - last_q);
+    bridged += q - last_q > 2e-4 ? std::pow(q - last_q, 3.0) : 0.0;
+    last_q = q, last_above = above;
+    ++points;
+  };
+  const auto addArc = [&](const ToeFit& toe, double inward, double distance)
+  {
+    const double q = toe.q + inward * distance;
+    const double z = toe.bridged ? kNaN : toe.face.heightAt(inward * q);
+    if (std::isfinite(z))
+      add(q, z - chord.at(q));
+  };
+  for (const double share : { 0.25, 0.5, 0.75 })
+    addArc(shape.toe_left, 1.0, share * blur);
+  for (std::size_t i = 0; i < profile.size(); ++i)
+  {
+    const double q = profile.q[i];
+    if (q > last_q && q > from + blur && q < to - blur)
+      add(q, profile.z[i] - chord.at(q));
+  }
+  for (const double share : { 0.75, 0.5, 0.25 })
+    addArc(shape.toe_right, -1.0, share * blur);
+  add(to, 0.0);
+  const double width = to - from;
+  const double bend = 8.0 * std::abs(area) / (width * width * width);  // of an arc of this area, roughly twice over
+  const double noise = shape.energy() * width * width / std::max(1, points);
+  return Quantity{ area,
+                   std::sqrt(noise + square(kFaceBias * width) + square(width * shape.chordSigma(0.5 * (from + to))) +
+                             square(bend * bridged / 12.0)) };
+}
+
+void fillParents(const SectionShape& shape, double seam, WeldSection& section)
+{
+  const Line& left = shape.left.line;
+  const Line& right = shape.right.line;
+  const double angle = right.angle() - left.angle();
+  const double sigma = std::hypot(shape.left.sigmaAt(seam), shape.right.sigmaAt(seam));
+  section.misalignment = Quantity{ std::abs(left.at(seam) - right.at(seam)) * std::abs(std::cos(angle)), sigma };
+  section.angle = Quantity{ angle, std::sqrt(shape.left.covariance(1, 1) + shape.right.covariance(1, 1)) };
+}
+}  // namespace
+
+Line SectionShape::chord() const
+{
+  const double slope = (toe_right.z - toe_left.z) / (toe_right.q - toe_left.q);
+  return Line{ toe_left.z - slope * toe_left.q, slope };
+}
+
+double SectionShape::chordSigma(double q) const
+{
+  const Line line = chord();
+  const double share = (q - toe_left.q) / (toe_right.q - toe_left.q);
+  return std::hypot((1.0 - share) * toeSigmaAcross(toe_left, left, line),
+                    share * toeSigmaAcross(toe_right, right, line));
+}
+
+double SectionShape::energy() const
+{
+  const double of_left = left.valid() ? square(left.scatter) * left.correlated_cells : 0.0;
+  const double of_right = right.valid() ? square(right.scatter) * right.correlated_cells : 0.0;
+  return std::max(of_left, of_right);
+}
+
+SectionValues sectionValues(const SectionProfile& profile, const SectionShape& shape, const WeldParams& params)
+{
+  SectionValues values;
+  WeldSection& section = values.section;
+  section.row = profile.scan_row;
+  section.s = profile.place.s;
+  section.yaw = profile.place.yaw;
+  if (shape.left.valid() && shape.right.valid())
+  {
+    const double seam = shape.whole() ? 0.5 * (shape.toe_left.q + shape.toe_right.q) : 0.0;
+    fillParents(shape, seam, section);
+  }
+  const Undercut left = measureUndercut(profile, shape, Side::Left, params);
+  const Undercut right = measureUndercut(profile, shape, Side::Right, params);
+  section.undercut_left = left.depth, values.undercut_width_left = left.width;
+  section.undercut_right = right.depth, values.undercut_width_right = right.width;
+  if (shape.toe_left.found)
+    section.toe_left = cloudPoint(profile.place, shape.toe_left, shape.left);
+  if (shape.toe_right.found)
+    section.toe_right = cloudPoint(profile.place, shape.toe_right, shape.right);
+  if (!shape.whole())
+  {
+    section.reference = SectionReference::ParentLines;
+    return values;
+  }
+  section.width = Quantity{ std::hypot(shape.toe_right.q - shape.toe_left.q, shape.toe_right.z - shape.toe_left.z),
+                            std::hypot(shape.toe_left.sigma, shape.toe_right.sigma) };
+  HeightSpan span;
+  span.from = shape.toe_left.q + params.edge_blur, span.to = shape.toe_right.q - params.edge_blur;
+  span.half_window = kNodeWindow;
+  span.max_gap = params.max_gap;
+  span.energy = kFaceEnergy * shape.energy();
+  fillHeights(localHeights(profile, span), span.step, shape, section);
+  section.area = faceArea(profile, shape, params.edge_blur);
+  section.toe_angle_left = toeAngle(shape.toe_left, Side::Left, shape.left.line, section.height_left.value);
+  section.toe_angle_right = toeAngle(shape.toe_right, Side::Right, shape.right.line, section.height_right.value);
+  return values;
+}
+}  // namespace weld
+}  // namespace weld_profiler

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "seam_surface.h"
+#include "weld_profiler/weld/weld_spot.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+/// What a point of the grid is, that is no part of the surface.
+enum class Stray : std::uint8_t
+{
+  None = 0,
+  Spatter,  ///< above the surface, in a spot
+  Pore,     ///< below it, in a spot
+  Foreign   ///< off the surface over more than a spot: a clamp, another bead
+};
+
+/// Points that depart from the surface, and the spots they make.
+struct Strays
+{
+  std::vector<Stray> kind;           ///< one a point of the grid
+  std::vector<std::uint8_t> masked;  ///< points no dimension is told from: strays and their rims
+  std::vector<WeldSpot> spots;       ///< rising s
+};
+
+/// Points beyond the surface's tolerance that hang together make a spot, from 6 points on; one wider than 4 mm is
+/// foreign.
+Strays findStrays(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface);
+}  // namespace weld
+}  // namespace weld_profiler

@@ -1,0 +1,203 @@
+#include "toe_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr int kRounds = 5;
+constexpr double kConverged = 1e-6;      // [m]
+constexpr double kOutsideGuess = 3e-3;   // the toe is looked for this far outside its guess [m]
+constexpr double kShareOfWidth = 0.4;    // the face at a toe is at most this share of the weld
+constexpr double kLeastWindow = 3e-4;    // [m]
+constexpr double kStartLevel = 0.15;     // of the face's height: the search begins inside of where it crosses this
+constexpr double kStartHeight = 4.5e-5;  // ... but no higher than this [m]
+constexpr double kSteepest = 1.45;       // a face nearer to upright was not measured [rad]
+constexpr double kLargestFlank = 2.6;    // between parent and face, in a corner [rad]
+constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
+constexpr double kBias = 2.2e-6;         // what the kink's blur leaves in a toe's place, along the parent [m] ...
+constexpr double kBiasCut = 6.5e-6;      // ... where the profile goes on below the parent
+constexpr double kFaceBias = 1.3e-6;     // ... and in its face, square to it [m]
+constexpr double kCut = 1.5e-5;          // it does, where it lies this far below beside the toe [m]
+constexpr double kAngleSigmas = 1.2;     // the arc is a model: ripples and real faces depart from it
+constexpr int kAngleSamples = 64;
+constexpr double kAngleFace = 1e-3;        // interfaces: the face's first millimetre ...
+constexpr double kAngleShare = 1.0 / 3.0;  // ... or third of height
+
+/// The side's profile with u rising inward from the parent to the weld's middle.
+class ToeSearch
+{
+public:
+  ToeSearch(const SectionProfile& profile, const ToeQuestion& question, const ParentFit& parent,
+            const WeldParams& params)
+    : parent_(parent), params_(params)
+  {
+    inward_ = -sign(question.side);
+    line_ = Line{ parent.line.height, inward_ * parent.line.slope };
+    along_ = Eigen::Vector2d(1.0, line_.slope).normalized();
+    const double middle = inward_ * 0.5 * (question.guess + question.opposite);
+    const double outside = inward_ * question.guess - kOutsideGuess;
+    width_ = std::abs(question.opposite - question.guess);
+    const auto take = [&](std::size_t i)
+    {
+      const double u = inward_ * profile.q[i];
+      if (u >= outside && u <= middle)
+        points_.push_back(Eigen::Vector2d(u, profile.z[i]));
+    };
+    for (std::size_t i = 0; i < profile.size(); ++i)
+      take(inward_ > 0.0 ? i : profile.size() - 1 - i);
+  }
+
+  ToeFit operator()()
+  {
+    ToeFit toe;
+    double start = kNaN;
+    if (!begin(start))
+      return toe;
+    double place = start;
+    for (int round = 0; round < kRounds; ++round)
+    {
+      toe.face = FaceArc::fit(window(place));
+      if (!toe.face.valid())
+        return toe;
+      const Eigen::Vector2d at(place, line_.at(place));
+      const double move = toe.face.meet(at, along_) * along_.x();
+      if (!(std::abs(move) < kOutsideGuess))
+        return toe;
+      place += move;
+      if (std::abs(move) < kConverged)
+        break;
+    }
+    finish(place, toe);
+    return toe;
+  }
+
+private:
+  double above(std::size_t i) const { return line_.above(points_[i].x(), points_[i].y()); }
+
+  /// Mean of three neighbours: one point does not decide where the search begins.
+  double smoothAbove(std::size_t i) const { return (above(i - 1) + above(i) + above(i + 1)) / 3.0; }
+
+  bool begin(double& start) const
+  {
+    if (points_.size() < 8)
+      return false;
+    double top = 0.0;
+    for (std::size_t i = 1; i + 1 < points_.size(); ++i)
+      top = std::max(top, smoothAbove(i));
+    const double level = std::max(4.0 * parent_.scatter, std::min(kStartLevel * top, kStartHeight));
+    if (!(top > 1.5 * level))
+      return false;
+    std::size_t i = points_.size() - 2;
+    while (i > 0 && smoothAbove(i) < 0.5 * top)
+      --i;
+    while (i > 0 && smoothAbove(i) > level)
+      --i;
+    start = points_[i].x();
+    return i > 0;
+  }
+
+  /// The face from beyond the kink's blur inward, what lies near the toe weighing most.
+  std::vector<FacePoint> window(double toe) const
+  {
+    const Eigen::Vector2d corner(toe, line_.at(toe));
+    const double reach =
+        std::max(params_.edge_blur + kLeastWindow, std::min(params_.face_length, kShareOfWidth * width_));
+    std::vector<FacePoint> chosen;
+    for (const Eigen::Vector2d& point : points_)
+    {
+      const double distance = (point - corner).norm();
+      if (point.x() < toe || distance < params_.edge_blur || distance > reach)
+        continue;
+      chosen.push_back(FacePoint{ point, 1.0 - 0.8 * square(distance / reach) });
+    }
+    // no guess across a gap: the face must be seen near the toe
+    if (chosen.size() < 6 || (chosen.front().place - corner).norm() > params_.edge_blur + params_.max_gap)
+      chosen.clear();
+    return chosen;
+  }
+
+  bool cutBeside(double toe) const
+  {
+    std::vector<double> heights;
+    for (const Eigen::Vector2d& point : points_)
+    {
+      if (point.x() < toe - params_.edge_blur && point.x() > toe - 4.0 * params_.edge_blur)
+        heights.push_back(line_.above(point.x(), point.y()));
+    }
+    return median(std::move(heights)) < -kCut;
+  }
+
+  void finish(double place, ToeFit& toe) const
+  {
+    const Eigen::Vector2d corner(place, line_.at(place));
+    toe.flank = toe.face.direction(corner) - std::atan(line_.slope);
+    if (!(toe.flank > kShallowest && toe.flank < kLargestFlank && toe.face.direction(corner) < kSteepest))
+      return;
+    toe.q = inward_ * place;
+    toe.z = corner.y();
+    toe.energy = std::max(square(parent_.scatter) * parent_.correlated_cells, square(toe.face.scatter()) * 5.0);
+    const double face = toe.face.sigmaAcross(corner, toe.energy);
+    const double line = parent_.sigmaAt(toe.q) * along_.x();
+    toe.sigma = std::hypot(face, line * std::cos(toe.flank)) / std::sin(toe.flank);
+    toe.bias = std::max(cutBeside(place) ? kBiasCut : kBias, kFaceBias / std::sin(toe.flank));
+    toe.found = true;
+  }
+
+  const ParentFit& parent_;
+  const WeldParams& params_;
+  double inward_ = 1.0;
+  double width_ = 0.0;
+  Line line_;
+  Eigen::Vector2d along_;
+  std::vector<Eigen::Vector2d> points_;  ///< (u, z), u rising
+};
+}  // namespace
+
+ToeFit fitToe(const SectionProfile& profile, const ToeQuestion& question, const ParentFit& parent,
+              const WeldParams& params)
+{
+  if (!parent.valid())
+    return ToeFit();
+  return ToeSearch(profile, question, parent, params)();
+}
+
+Quantity toeAngle(const ToeFit& toe, Side side, const Line& parent, double height)
+{
+  if (toe.bridged || !std::isfinite(height))
+    return Quantity();
+  const double inward = -sign(side);
+  const Line line{ parent.height, inward * parent.slope };
+  const double begin = inward * toe.q;
+  const double step = kAngleFace / kAngleSamples;
+  double n = 0.0, u = 0.0, z = 0.0, uu = 0.0, uz = 0.0, length = 0.0, last = toe.z;
+  double reached = 0.0;
+  for (int i = 0; i <= kAngleSamples; ++i)
+  {
+    const double d = i * step;
+    const double at = toe.face.heightAt(begin + d);
+    length += i > 0 ? std::hypot(step, at - last) : 0.0;
+    last = at;
+    if (!std::isfinite(at) || length > kAngleFace || line.above(begin + d, at) > kAngleShare * height)
+      break;
+    n += 1.0, u += d, z += at, uu += d * d, uz += d * at;
+    reached = d;
+  }
+  const Eigen::Vector2d middle(begin + 0.5 * reached, toe.face.heightAt(begin + 0.5 * reached));
+  const double spread = n * uu - u * u;
+  double angle = toe.face.direction(middle);
+  if (n > 2.5 && spread > 0.0)
+    angle = std::atan((n * uz - u * z) / spread);
+  Quantity result;
+  result.value = 3.14159265358979323846 - (angle - std::atan(line.slope));
+  result.sigma = kAngleSigmas * toe.face.sigmaDirection(middle, toe.energy);
+  return result;
+}
+}  // namespace weld
+}  // namespace weld_profiler

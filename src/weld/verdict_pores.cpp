@@ -1,0 +1,61 @@
+#include "verdict_level.h"
+#include "verdict_rows.h"
+
+namespace weld_profiler
+{
+namespace
+{
+std::vector<Place> poresOf(const std::vector<WeldSpot>& spots)
+{
+  std::vector<Place> pores;
+  for (const WeldSpot& spot : spots)
+  {
+    if (spot.kind != WeldSpot::Kind::Pore || !spot.diameter.measured())
+      continue;
+    Place pore;
+    pore.s = spot.s;
+    pore.value = spot.diameter;
+    pores.push_back(pore);
+  }
+  if (pores.empty())
+  {
+    // no pore: the largest has no diameter, and lies nowhere
+    pores.emplace_back();
+    pores.front().s = std::numeric_limits<double>::quiet_NaN();
+    pores.front().value = { 0.0, 0.0 };
+  }
+  return pores;
+}
+}  // namespace
+
+std::vector<VerdictRow> VerdictRows::poreRows(const std::vector<WeldSpot>& spots) const
+{
+  const LimitEntry* entry = judge_.entry(Imperfection::SurfacePore, kind_);
+  std::vector<VerdictRow> result;
+  for (const QualityLevel level : kQualityLevels)
+  {
+    VerdictRow row = emptyRow(Imperfection::SurfacePore, level, entry);
+    row.measured = length_;
+    const bool limited = entry != nullptr && row.rule != LevelLimit::Rule::Permitted;
+    std::vector<Place> pores = poresOf(spots);
+    for (Place& pore : pores)
+    {
+      Comparison comparison;
+      if (limited)
+        comparison = judge_.compare(*entry, level, pore.value, judge_.dimensions(WeldSection{}));
+      else
+        comparison.margin = { -pore.value.value, pore.value.sigma };
+      pore.limit = comparison.limit;
+      pore.margin = comparison.margin;
+    }
+    const SizeDecision size = decideSize(pores, pores);
+    setPlace(size.place, limited, row);
+    if (limited)
+      row.decision = size.decision;
+    else
+      row.decision = entry == nullptr ? Decision::NotJudged : Decision::Pass;
+    result.push_back(row);
+  }
+  return result;
+}
+}  // namespace weld_profiler

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <sstream>
+
+#include "verdict_level.h"
+#include "verdict_rows.h"
+#include "verdict_sizes.h"
+#include "weld_profiler/weld/verdict.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr double kMmPerMetre = 1000.0;
+
+/// From the first section with a bead to the last.
+std::vector<WeldSection> withBead(const std::vector<WeldSection>* sections)
+{
+  if (sections == nullptr)
+    return {};
+  const auto has_bead = [](const WeldSection& section) { return section.hasBead(); };
+  const auto first = std::find_if(sections->begin(), sections->end(), has_bead);
+  const auto last = std::find_if(sections->rbegin(), sections->rend(), has_bead).base();
+  return first < last ? std::vector<WeldSection>(first, last) : std::vector<WeldSection>();
+}
+
+std::string listOf(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Adds the part of one imperfection, if it is judged.
+void addPart(const std::vector<VerdictRow>& rows, bool required, std::vector<VerdictPart>& parts)
+{
+  if (rows.size() != kQualityLevels.size() || rows.front().edition.empty())
+    return;
+  VerdictPart part{ {}, true };
+  for (const VerdictRow& row : rows)
+  {
+    if (row.decision == Decision::NotJudged || (row.decision == Decision::NotMeasured && !required))
+      return;
+    part.levels[static_cast<std::size_t>(row.level)] = row.decision;
+    part.verified = part.verified && row.verified;
+  }
+  parts.push_back(part);
+}
+
+void noteThickness(const WeldJudge& judge, std::vector<std::string>& notes)
+{
+  const std::optional<double>& t = judge.params().thickness;
+  std::ostringstream text;
+  if (!t)
+    text << "no plate thickness given: what is limited by it is measured, not judged";
+  else if (*t < judge.limits().leastThickness() - 1e-9)
+    text << "thickness " << *t * kMmPerMetre << " mm is below the scope of " << judge.limits().standard() << " ("
+         << judge.limits().leastThickness() * kMmPerMetre << " mm): measured, not judged";
+  else
+    return;
+  notes.push_back(text.str());
+}
+
+void noteRows(const WeldJudge& judge, const WeldVerdict& verdict, std::vector<std::string>& notes)
+{
+  std::vector<std::string> unverified;
+  std::vector<std::string> holes;
+  for (const VerdictRow& row : verdict.rows)
+  {
+    if (row.level != QualityLevel::D || row.edition.empty())
+      continue;
+    if (!row.verified && row.decision != Decision::NotJudged)
+      unverified.push_back(name(row.imperfection));
+    if (row.decision == Decision::NotMeasured)
+      notes.push_back(std::string(name(row.imperfection)) + " was not measured");
+    else if (row.measured < judge.params().min_measured_share * verdict.length)
+      holes.push_back(name(row.imperfection));
+  }
+  if (!holes.empty())
+    notes.push_back("measured on less than the least share of the weld, so that it cannot pass: " + listOf(holes));
+  if (!unverified.empty())
+    notes.push_back("limits not checked against a copy of " + judge.limits().standard() + ": " + listOf(unverified));
+}
+
+void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, WeldVerdict& verdict)
+{
+  const LevelVerdict together = combine(parts);
+  verdict.verdict = together.verdict;
+  verdict.unverified = together.unverified;
+  verdict.levels = together.levels;
+  verdict.unverified_levels = together.unverified_levels;
+  for (const QualityLevel level : kQualityLevels)
+  {
+    if (judge.params().level == name(level))
+      verdict.asked = together.levels[static_cast<std::size_t>(level)];
+  }
+}
+}  // namespace
+
+WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
+{
+  WeldVerdict result;
+  const std::vector<WeldSection> sections = withBead(weld.sections);
+  if (weld.kind == WeldKind::None || sections.empty())
+  {
+    result.levels.fill(Decision::NotMeasured);
+    result.asked = Decision::NotMeasured;
+    result.notes.emplace_back("no weld was measured: there is nothing to judge");
+    return result;
+  }
+  const VerdictRows rows(*this, weld.kind, sections);
+  result.length = rows.length();
+  std::vector<VerdictPart> parts;
+  for (const Imperfection imperfection : imperfections())
+  {
+    const bool decides = imperfection != Imperfection::ToeAngle || params_.judge_toe_angle;
+    std::vector<VerdictRow> made;
+    if (imperfection != Imperfection::SurfacePore)
+      made = rows.rows(imperfection, decides);
+    else if (weld.spots != nullptr)
+      made = rows.poreRows(*weld.spots);
+    addPart(made, decidesSections(imperfection, params_.judge_toe_angle), parts);
+    result.rows.insert(result.rows.end(), made.begin(), made.end());
+  }
+  conclude(*this, parts, result);
+  noteThickness(*this, result.notes);
+  noteRows(*this, result, result.notes);
+  return result;
+}
+}  // namespace weld_profiler

@@ -1,0 +1,259 @@
+#include "weld_profiler/weld/weld_measurer.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Core>
+
+#include "weld/ideal_scan.h"
+#include "weld_profiler/core/errors.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr double kDegree = M_PI / 180.0;
+
+/// Middle section with a bead, or fails.
+WeldSection middleSection(const WeldResult& result)
+{
+  EXPECT_TRUE(result.hasWeld()) << result.reason;
+  for (std::size_t k = result.sections.size() / 2; k < result.sections.size(); ++k)
+  {
+    if (result.sections[k].hasBead())
+      return result.sections[k];
+  }
+  ADD_FAILURE() << "no section with a bead in the scan's second half: " << result.reason;
+  return WeldSection();
+}
+
+/// Value within 4 of its own sigmas and within a tolerance of the truth.
+void expectMeasured(const char* what, const Quantity& quantity, double truth, double tolerance)
+{
+  ASSERT_TRUE(quantity.measured()) << what;
+  EXPECT_NEAR(quantity.value, truth, tolerance) << what;
+  EXPECT_LT(std::abs(quantity.value - truth), 4.0 * quantity.sigma) << what << ", sigma " << quantity.sigma;
+}
+}  // namespace
+
+TEST(WeldMeasurer, MeasuresABeadOnPlate)
+{
+  IdealWeld weld;
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(weld));
+  EXPECT_EQ(result.kind, WeldKind::BeadOnPlate);
+  ASSERT_EQ(result.sections.size(), 60u);
+  EXPECT_DOUBLE_EQ(result.measured_share, 1.0);
+  const WeldSection section = middleSection(result);
+  // what 2 um of noise, alike over 5 neighbours, leaves: a few um in height, that over the flank's tangent in width
+  expectMeasured("width", section.width, 0.008, 2e-5);
+  expectMeasured("reinforcement", section.reinforcement, 0.0015, 6e-6);
+  expectMeasured("height_left", section.height_left, 0.0015, 6e-6);
+  EXPECT_LT(section.misalignment.value, 5e-6);
+  EXPECT_LT(section.undercut_left.value, 1e-5);
+  const double flank = 2.0 * std::atan(0.0015 / 0.004);
+  EXPECT_GT(section.toe_angle_left.value, M_PI - flank) << "the face bends inward of the toe";
+  EXPECT_NEAR(section.toe_angle_left.value, section.toe_angle_right.value, 2.0 * kDegree);
+}
+
+TEST(WeldMeasurer, MeasuresAButtWeldWithOffsetAngleAndUndercut)
+{
+  IdealWeld weld;
+  weld.misalignment = 0.0004;
+  weld.angle = 2.0 * kDegree;
+  weld.undercut = 0.0003;
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(weld));
+  EXPECT_EQ(result.kind, WeldKind::Butt);
+  const WeldSection section = middleSection(result);
+  expectMeasured("width", section.width, std::hypot(0.008, 0.0004), 2e-5);
+  expectMeasured("misalignment", section.misalignment, 0.0004 * std::cos(weld.angle), 6e-6);
+  expectMeasured("angle", section.angle, weld.angle, 0.05 * kDegree);
+  expectMeasured("undercut_right", section.undercut_right, 0.0003, 1.2e-5);
+  EXPECT_LT(section.undercut_left.value, 1e-5);
+}
+
+TEST(WeldMeasurer, MeasuresTheLegsAndThroatOfAFillet)
+{
+  IdealWeld weld;
+  weld.angle = 90.0 * kDegree;
+  weld.height = 0.0006;
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(weld));
+  EXPECT_EQ(result.kind, WeldKind::Fillet);
+  const WeldSection section = middleSection(result);
+  expectMeasured("leg_left", section.leg_left, 0.008 * std::sqrt(0.5), 2e-5);
+  expectMeasured("leg_right", section.leg_right, 0.008 * std::sqrt(0.5), 2e-5);
+  expectMeasured("throat", section.throat, 0.004, 2e-5);
+  expectMeasured("convexity", section.reinforcement, 0.0006, 6e-6);
+  EXPECT_FALSE(section.misalignment.measured()) << "plates in a corner have none";
+}
+
+TEST(WeldMeasurer, FindsAnObliquePathAndCutsAcrossIt)
+{
+  IdealWeld weld;
+  weld.yaw = 18.0 * kDegree;
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(weld));
+  const WeldSection section = middleSection(result);
+  EXPECT_NEAR(section.yaw, weld.yaw, 0.3 * kDegree);
+  expectMeasured("width", section.width, 0.008, 2.5e-5);
+  EXPECT_NEAR(section.toe_right.x.value - section.toe_left.x.value, 0.008 * std::cos(weld.yaw), 6e-5);
+  EXPECT_NEAR(section.toe_right.y.value - section.toe_left.y.value, 0.008 * std::sin(weld.yaw), 6e-5);
+}
+
+TEST(WeldMeasurer, AddsUpVolumeAndWhatIsToBeRemoved)
+{
+  const IdealWeld weld;
+  const IdealScanner scanner;
+  const Scan scan = scanner(weld);
+  const double radius = 0.5 * (0.004 * 0.004 + 0.0015 * 0.0015) / 0.0015;
+  const double half_angle = std::asin(0.004 / radius);
+  const double area = radius * radius * (half_angle - std::sin(half_angle) * std::cos(half_angle));
+  const WeldResult flush = WeldMeasurer().measure(scan);
+  const double length = scanner.rows * scanner.pitch;
+  EXPECT_NEAR(flush.volume.value, area * length, 0.005 * area * length);
+  EXPECT_NEAR(flush.removal_volume.value, flush.volume.value, 1e-3 * flush.volume.value);
+  WeldParams params;
+  params.target = "rest";
+  params.rest_height = 0.0005;
+  const WeldResult rest = WeldMeasurer(params).measure(scan);
+  EXPECT_LT(rest.removal_volume.value, 0.7 * flush.removal_volume.value);
+  const std::size_t middle = 30u * scan.cells + scan.cells / 2;
+  EXPECT_NEAR(flush.removal[middle], 0.0015, 1e-5);
+  EXPECT_NEAR(rest.removal[middle], 0.0010, 1e-5);
+  EXPECT_NEAR(rest.target[middle], 0.0005, 5e-6);
+}
+
+TEST(WeldMeasurer, LabelsEveryPoint)
+{
+  IdealWeld weld;
+  weld.undercut = 0.0003;
+  const IdealScanner scanner;
+  const WeldResult result = WeldMeasurer().measure(scanner(weld));
+  ASSERT_EQ(result.labels.size(), 60000u);
+  int wrong = 0;
+  for (int cell = 0; cell < scanner.cells; ++cell)
+  {
+    const double x = (cell - 0.5 * scanner.cells) * scanner.spacing;
+    const auto label = static_cast<WeldLabel>(result.labels[30u * 1000u + static_cast<std::size_t>(cell)]);
+    const WeldLabel truth = std::abs(x) < 0.004        ? WeldLabel::Bead
+                            : x > 0.0042 && x < 0.0048 ? WeldLabel::Undercut
+                                                       : WeldLabel::Base;
+    const bool rim = x > 0.0038 && x < 0.0051;
+    wrong += label != truth && !rim ? 1 : 0;
+    if (truth == WeldLabel::Undercut)
+    {
+      EXPECT_EQ(label, WeldLabel::Undercut) << "x " << x;
+    }
+  }
+  EXPECT_LE(wrong, 3) << "cells at the left toe";
+}
+
+TEST(WeldMeasurer, TellsRipples)
+{
+  IdealWeld weld;
+  weld.ripple = 1e-4;
+  IdealScanner scanner;
+  scanner.rows = 100;
+  const WeldResult result = WeldMeasurer().measure(scanner(weld));
+  EXPECT_NEAR(result.ripple_pitch.value, 0.0012, 2e-5);
+  EXPECT_NEAR(result.ripple_height.value, 1e-4, 1e-5);
+  EXPECT_FALSE(WeldMeasurer().measure(scanner(IdealWeld())).ripple_pitch.measured()) << "a smooth bead has none";
+}
+
+TEST(WeldMeasurer, NamesSpatterAndMeasuresBesideIt)
+{
+  const IdealWeld weld;
+  const auto surface = [&weld](double x, double y)
+  {
+    double z = weld(x, y);
+    for (const Eigen::Vector2d& ball : { Eigen::Vector2d(0.001, 0.006), Eigen::Vector2d(0.010, 0.004) })
+    {
+      const double rest = 2.5e-7 - (Eigen::Vector2d(x, y) - ball).squaredNorm();
+      z += rest > 0.0 ? std::sqrt(rest) : 0.0;
+    }
+    return z;
+  };
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+  ASSERT_EQ(result.spots.size(), 2u);
+  for (const WeldSpot& spot : result.spots)
+  {
+    EXPECT_EQ(spot.kind, WeldSpot::Kind::Spatter);
+    EXPECT_NEAR(spot.diameter.value, 0.001, 2e-4);
+    EXPECT_NEAR(spot.height.value, 5e-4, 5e-5);
+  }
+  EXPECT_NEAR(result.spots[0].x, 0.010, 2e-4);
+  for (const WeldSection& section : result.sections)
+  {
+    ASSERT_TRUE(section.hasBead());
+    if (section.reinforcement.measured())
+    {
+      EXPECT_NEAR(section.reinforcement.value, 0.0015, 1.5e-5) << "spatter is no reinforcement, row " << section.row;
+    }
+  }
+}
+
+TEST(WeldMeasurer, MeasuresOneRowProvisionally)
+{
+  IdealWeld weld;
+  weld.yaw = 15.0 * kDegree;
+  const Scan scan = IdealScanner()(weld);
+  const WeldSection section = WeldMeasurer().measureRow(scan.rows[30], weld.yaw);
+  ASSERT_TRUE(section.hasBead());
+  EXPECT_NEAR(section.width.value, 0.008, 5e-5);
+  EXPECT_NEAR(section.reinforcement.value, 0.0015, 1e-5);
+  EXPECT_DOUBLE_EQ(section.stage, scan.rows[30].stage);
+  IdealWeld none;
+  none.width = 0.0;
+  EXPECT_FALSE(WeldMeasurer().measureRow(IdealScanner()(none).rows[3]).hasBead());
+}
+
+TEST(WeldMeasurer, SaysTheSameHoweverRowsAndCellsAreOrdered)
+{
+  IdealWeld weld;
+  weld.misalignment = 0.0003;
+  weld.yaw = 5.0 * kDegree;
+  const Scan scan = IdealScanner()(weld);
+  Scan turned = scan;
+  std::reverse(turned.rows.begin(), turned.rows.end());
+  for (Profile& row : turned.rows)
+  {
+    std::reverse(row.points.begin(), row.points.end());
+    for (CloudPoint& point : row.points)
+      point.cell = static_cast<std::uint16_t>(scan.cells - 1 - point.cell);
+  }
+  const WeldResult a = WeldMeasurer().measure(scan), b = WeldMeasurer().measure(turned);
+  ASSERT_EQ(a.sections.size(), b.sections.size());
+  ASSERT_EQ(a.sections.size(), 60u);
+  for (std::size_t k = 0; k < a.sections.size(); ++k)
+  {
+    ASSERT_EQ(a.sections[k].hasBead(), b.sections[k].hasBead());
+    if (a.sections[k].hasBead())
+    {
+      EXPECT_DOUBLE_EQ(a.sections[k].width.value, b.sections[k].width.value);
+    }
+    EXPECT_EQ(a.sections[k].row, 59 - b.sections[k].row);
+  }
+  EXPECT_EQ(a.labels[10u * 1000u + 480u], b.labels[49u * 1000u + 519u]);
+}
+
+TEST(WeldMeasurer, TakesSectionsAStepApart)
+{
+  WeldParams params;
+  params.section_step = 0.001;
+  const WeldResult result = WeldMeasurer(params).measure(IdealScanner()(IdealWeld()));
+  EXPECT_EQ(result.sections.size(), 12u) << "12 mm, rows 0.2 mm apart";
+}
+
+TEST(WeldMeasurer, MeasuresAsTheKindThatIsAskedFor)
+{
+  WeldParams params;
+  params.kind = "butt";
+  const WeldResult result = WeldMeasurer(params).measure(IdealScanner()(IdealWeld()));
+  EXPECT_EQ(result.kind, WeldKind::Butt);
+  EXPECT_EQ(result.scores.front().kind, WeldKind::BeadOnPlate);
+  EXPECT_NE(result.reason.find("asked for"), std::string::npos) << result.reason;
+}
+
+TEST(WeldMeasurer, RefusesACellOutsideTheScan)
+{
+  Scan scan = IdealScanner()(IdealWeld());
+  scan.rows[3].points[5].cell = 1000;
+  EXPECT_THROW(WeldMeasurer().measure(scan), PreconditionError);
+}
+}  // namespace weld_profiler
