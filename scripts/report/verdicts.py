@@ -1,0 +1,41 @@
+"""How a verdict is worded: the same everywhere it is shown, and never without what it rests on."""
+from report.numbers import readable
+from report.style import LEVELS
+
+UNVERIFIED = "rests on limits that were not verified"
+
+
+class Verdict:
+    """`mark`: large; `why`: sentences; `kind`: level, fail, undecided or none."""
+
+    def __init__(self, folder):
+        record = folder.record.record("verdict")
+        overall, asked = record.text("overall"), record.text("asked")
+        self.unverified = record.flag("unverified") and bool(overall)
+        self.levels = {level: record.record("levels").text(level) for level in LEVELS}
+        self.kind = {"fail": "fail", "undecided": "undecided"}.get(overall, "level" if overall in LEVELS else "none")
+        if not folder.has_weld():
+            self.kind, self.mark = "none", "NO WELD"
+            self.why = [folder.record.text("reason") or "no weld was recognised in this scan"]
+            self.unverified = False
+            return
+        best = {"fail": "Not even level D is met.",
+                "undecided": "A limit lies within two standard deviations of what was measured.",
+                "": "Something that decides was not measured, or nothing is judged."}
+        self.mark = {"fail": "FAILS", "undecided": "UNDECIDED", "": "NOT JUDGED"}.get(overall, "LEVEL " + overall)
+        self.why = [best.get(overall, "Level %s is the best level met." % overall)]
+        decision = record.text("asked_decision")
+        if asked and decision in ("pass", "fail", "undecided"):
+            self.mark = "LEVEL %s %s" % (asked, {"pass": "MET", "fail": "NOT MET", "undecided": "UNDECIDED"}[decision])
+            self.kind = {"pass": "level"}.get(decision, decision)
+        if asked:
+            self.why.insert(0, "Asked for: level %s." % asked)
+        known = ["%s %s" % (level, readable(decision)) for level, decision in self.levels.items() if decision]
+        if known:
+            self.why.append("Levels: " + ", ".join(known) + ".")
+        if record.text("limits"):
+            self.why.append("Limits: %s." % record.text("limits"))
+
+    def one_line(self):
+        """For a headline or a picture."""
+        return self.mark + (" (%s)" % UNVERIFIED if self.unverified else "")

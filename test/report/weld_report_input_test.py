@@ -1,0 +1,233 @@
+#!/usr/bin/python3
+"""weld_report.py on folders that are incomplete, empty or broken."""
+import json
+import os
+import unittest
+
+import numpy as np
+
+from weld_folder import COLUMNS, Weld, write_csv, write_folder, write_json, write_pcd
+from weld_report_test import Case
+
+
+class Incomplete(Case):
+    def test_without_any_optional_file(self):
+        self.make(rows=30, cells=300)
+        for name in ("weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd"):
+            os.remove(self.path(name))
+        page = self.page()
+        self.assertIn("LEVEL B NOT MET", page.text)
+        for name in ("weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd"):
+            self.assertIn(name + " is not in the folder", page.text)
+
+    def test_each_file_alone_may_be_missing(self):
+        for name in ("weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd"):
+            with self.subTest(name):
+                self.make(rows=30, cells=300)
+                os.remove(self.path(name))
+                self.assertIn(name + " is not in the folder", self.page().text)
+
+    def test_scan_pcd_serves_where_there_are_no_weld_points(self):
+        weld = self.make(rows=30, cells=300)
+        os.remove(self.path("weld_points.pcd"))
+        cloud = weld.points()
+        plain = np.zeros(cloud.shape, [(name, "<f4") for name in ("x", "y", "z")])
+        for name in plain.dtype.names:
+            plain[name] = cloud[name]
+        write_pcd(self.path("scan.pcd"), plain)
+        page = self.page()
+        self.assertIn("the points carry no removal", page.text)
+        self.assertEqual(page.picture("Height map")[0], "png")
+
+    def test_a_scan_without_a_weld_gives_a_short_report(self):
+        self.make(rows=30, cells=300)
+        for name in ("weld.csv", "verdict.csv", "spots.csv"):
+            os.remove(self.path(name))
+        write_json(self.path("weld.json"), {"id": "", "kind": "none", "reason": "no bead higher than 0.05 mm", "sections": 0,
+                                            "scores": {"butt": 0.01, "fillet": 0.0, "bead_on_plate": 0.02}, "verdict": {"overall": ""}})
+        page = self.page()
+        self.assertIn("NO WELD", page.text)
+        self.assertIn("no bead higher than 0.05 mm", page.text)
+        self.assertEqual([image["alt"] for image in page.images], ["Height map with toes and crest", "3-D view of the scan"])
+        self.assertNotIn("Cross-sections", page.text)
+        self.assertNotIn("is not in the folder", page.text)
+
+    def test_nothing_measured_anywhere(self):
+        self.make(rows=30, cells=300)
+        keep = ("row", "section", "stage_mm", "s_mm", "yaw_deg", "reference")
+        for empty in ("", "nan"):
+            with self.subTest(empty):
+                rows = [{name: row.get(name, "") if name in keep else ("" if "verdict" in name else empty) for name in COLUMNS}
+                        for row in self.sections]
+                write_csv(self.path("weld.csv"), COLUMNS, rows)
+                page = self.page()
+                self.assertIn("width b: not measured in all of 30 sections", page.text)
+
+    def test_nulls_everywhere_in_weld_json(self):
+        self.make(rows=30, cells=300)
+        self.edit(lambda record: record.update({key: None for key in list(record) if key not in ("kind", "id")}))
+        self.assertIn("not measured", self.page().row("length")[1])
+
+    def test_only_a_kind_in_weld_json(self):
+        self.make(rows=30, cells=300)
+        write_json(self.path("weld.json"), {"kind": "butt"})
+        self.assertIn("NOT JUDGED", self.page().text)
+
+    def test_a_cloud_of_nothing_but_holes(self):
+        weld = self.make(rows=30, cells=300)
+        cloud = weld.points()
+        for name in ("x", "y", "z", "removal"):
+            cloud[name] = np.nan
+        write_pcd(self.path("weld_points.pcd"), cloud)
+        self.assertIn("weld_points.pcd holds no point", self.page().text)
+
+    def test_an_empty_cloud(self):
+        weld = self.make(rows=30, cells=300)
+        write_pcd(self.path("weld_points.pcd"), weld.points()[:0])
+        self.assertIn("weld_points.pcd holds no point", self.page().text)
+
+    def test_few_points(self):
+        for shape in ((1, 300), (3, 300), (30, 1), (1, 1)):
+            with self.subTest(shape):
+                weld = self.make(rows=30, cells=300)
+                write_pcd(self.path("weld_points.pcd"), np.ascontiguousarray(weld.points()[:shape[0], :shape[1]]))
+                self.page()
+
+    def test_mostly_holes_and_strays(self):
+        weld = self.make(rows=40, cells=300)
+        cloud = weld.points()
+        holes = weld.random.rand(*cloud.shape) < 0.6
+        for name in ("x", "y", "z"):
+            cloud[name][holes] = np.nan
+        cloud["z"][20, 150], cloud["z"][21, 150], cloud["x"][22, 150] = 3.0, np.inf, -np.inf
+        cloud["removal"] = np.nan
+        write_pcd(self.path("weld_points.pcd"), cloud)
+        self.page()
+
+    def test_one_section_and_tables_of_a_header_only(self):
+        self.make(rows=30, cells=300)
+        write_csv(self.path("weld.csv"), COLUMNS, self.sections[7:8])
+        self.page()
+        write_csv(self.path("weld.csv"), COLUMNS, [])
+        self.write("spots.csv", "kind,s_mm\n")
+        self.write("verdict.csv", "imperfection,level,decision\n")
+        self.assertIn("verdict.csv is missing or has no line", self.page().text)
+
+    def test_a_long_weld_lies_on_its_side(self):
+        self.folder += "_long"
+        weld = Weld("butt", rows=300, cells=400, pitch=5e-4)
+        self.record, self.sections = write_folder(self.folder, weld)
+        self.assertIn("travel to the right", self.page().text)
+
+    def test_negative_sigmas_and_absurd_numbers_do_no_harm(self):
+        self.make(rows=30, cells=300)
+        self.rewrite_sections(lambda row: row.update({"sigma_width_mm": -1.0, "reinforcement_mm": 1e300, "yaw_deg": 1e9}))
+        self.page()
+
+
+class Broken(Case):
+    def setUp(self):
+        super().setUp()
+        self.make(rows=12, cells=100)
+
+    def test_no_folder(self):
+        self.folder = os.path.join(self.temporary.name, "elsewhere")
+        self.assert_refused("elsewhere: is no folder")
+
+    def test_no_weld_json(self):
+        os.remove(self.path("weld.json"))
+        self.assert_refused("weld.json: cannot be read: No such file", "measure the scan again")
+
+    def test_weld_json_that_is_none(self):
+        for text, cause in (("{", "is no JSON"), ("[1]", "holds no JSON object"), ("", "is no JSON")):
+            with self.subTest(text):
+                self.write("weld.json", text)
+                self.assert_refused("weld.json", cause)
+        with open(self.path("weld.json"), "wb") as file:
+            file.write(b"\xff\xfe{}")
+        self.assert_refused("weld.json: is no UTF-8 text")
+
+    def test_wrong_types_in_weld_json(self):
+        with open(self.path("weld.json")) as file:
+            sound = file.read()
+        for key, value in (("verdict", 5), ("kind", 3), ("length", "long"), ("other_beads", {}), ("other_beads", [1]),
+                           ("measured_share", "all"), ("statistics", []), ("calibration", "a")):
+            with self.subTest("%s %r" % (key, value)):
+                self.write("weld.json", json.dumps(dict(json.loads(sound), **{key: value})))
+                self.assert_refused("weld.json: " + key, "must be")
+
+    def test_csv_with_text_for_a_number(self):
+        with open(self.path("weld.csv")) as file:
+            lines = file.read().splitlines()
+        lines[3] = lines[3].replace(lines[3].split(",")[2], "wide", 1)
+        self.write("weld.csv", "\n".join(lines))
+        self.assert_refused("weld.csv: line 4: width_mm is 'wide'")
+
+    def test_csv_with_a_short_line(self):
+        with open(self.path("weld.csv")) as file:
+            text = file.read()
+        self.write("weld.csv", text[:-40])
+        self.assert_refused("weld.csv: line 13: has")
+
+    def test_csv_without_its_columns_or_empty(self):
+        self.write("verdict.csv", "a,b\n1,2\n")
+        self.assert_refused("verdict.csv: line 1: has no column imperfection, level, decision")
+        self.write("verdict.csv", "")
+        self.assert_refused("verdict.csv: is empty")
+
+    def test_cloud_cut_short(self):
+        with open(self.path("weld_points.pcd"), "rb") as file:
+            content = file.read()
+        for length in (len(content) - 9, 300, 30, 0):
+            with self.subTest(length):
+                with open(self.path("weld_points.pcd"), "wb") as file:
+                    file.write(content[:length])
+                self.assert_refused("weld_points.pcd")
+
+    def test_cloud_with_a_damaged_header(self):
+        with open(self.path("weld_points.pcd"), "rb") as file:
+            content = file.read()
+        for old, new in ((b"WIDTH 100", b"WIDTH abc"), (b"TYPE F", b"TYPE Q"), (b"HEIGHT 12", b"HEIGHT"), (b"FIELDS x", b"FIELDS q"),
+                         (b"SIZE 4", b"SIZE 3")):
+            with self.subTest(new):
+                with open(self.path("weld_points.pcd"), "wb") as file:
+                    file.write(content.replace(old, new, 1))
+                self.assert_refused("weld_points.pcd")
+
+    def test_gauge_readings_that_are_none(self):
+        gauge = os.path.join(self.temporary.name, "gauge.csv")
+        self.assert_refused("gauge.csv: cannot be read", "s_mm,width_mm,height_mm", arguments=["--gauge", gauge])
+        for text, cause in (("s_mm,width_mm\n1,2\n", "has no column height_mm"), ("s_mm,width_mm,height_mm\n,1,2\n", "no reading"),
+                            ("s_mm,width_mm,height_mm\n1,x,2\n", "width_mm is 'x'"),
+                            ("s_mm,width_mm,height_mm,resolution_mm\n1,1,2,-1\n", "resolution_mm is below 0")):
+            with self.subTest(cause):
+                with open(gauge, "w") as file:
+                    file.write(text)
+                self.assert_refused("gauge.csv", cause, arguments=["--gauge", gauge])
+
+    def test_an_earlier_report_stays_when_the_new_one_fails(self):
+        self.page()
+        with open(self.path("report.html"), "rb") as file:
+            before = file.read()
+        self.write("weld.csv", "x\n")
+        code, _ = self.run_program(self.folder)
+        self.assertEqual(code, 1)
+        with open(self.path("report.html"), "rb") as file:
+            self.assertEqual(file.read(), before)
+
+    def test_a_place_that_cannot_be_written_leaves_neither_file(self):
+        os.mkdir(self.path("report.png"))
+        code, errors = self.run_program(self.folder)
+        self.assertEqual(code, 1)
+        self.assertIn("cannot be written", errors)
+        self.assertFalse(os.path.exists(self.path("report.html")))
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith(".part")], [])
+
+    def test_usage(self):
+        self.assertEqual(self.run_program()[0], 2)
+        self.assertEqual(self.run_program(self.folder, "--colour")[0], 2)
+        self.assertEqual(self.run_program("--help")[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
