@@ -34,7 +34,7 @@ private:
     params_.validate();
     scans_ = std::make_unique<ScanServer>(
         ScanServer::Handles{ getNodeHandle(), getPrivateNodeHandle(), getMTNodeHandle(), getName() }, params_,
-        loadCalibrationFrom(calibration));
+        loadCalibrationFrom(calibration), calibrationRecord(resolveUrl(calibration)));
     server_ = std::make_unique<dynamic_reconfigure::Server<TriangulationConfig>>(getPrivateNodeHandle());
     server_->setCallback([this](TriangulationConfig& config, std::uint32_t) { reconfigure(config); });
     scans_->subscribe();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <std_msgs/Header.h>
+#include <boost/make_shared.hpp>
 
 #include "weld_profiler/ros/messages.h"
 
@@ -26,8 +27,9 @@ void ScanServerParams::validate() const
   chain.validate();
 }
 
-ScanServer::ScanServer(const Handles& handles, const ScanServerParams& params, const Calibration& calibration)
-  : handles_(handles), params_(params), updater_(handles.node, handles.own, handles.name)
+ScanServer::ScanServer(const Handles& handles, const ScanServerParams& params, const Calibration& calibration,
+                       const CalibrationRecord& record)
+  : handles_(handles), params_(params), record_(record), updater_(handles.node, handles.own, handles.name)
 {
   ScanChainParams chain = params.chain;
   chain.scan = forReplay(chain.scan, params.lossless);
@@ -39,6 +41,7 @@ ScanServer::ScanServer(const Handles& handles, const ScanServerParams& params, c
   profiles_ = handles_.node.advertise<sensor_msgs::PointCloud2>("profile_points", 64);
   scans_ = handles_.node.advertise<sensor_msgs::PointCloud2>("scan_points", 1, true);
   started_ = handles_.node.advertise<std_msgs::Header>("scan_started", 1);
+  ended_ = handles_.node.advertise<ScanInfo>("scan_info", 16, true);
   updater_.setHardwareID("none");
   updater_.add("triangulation", this, &ScanServer::diagnose);
 }
@@ -137,7 +140,22 @@ void ScanServer::onScan(Scan&& scan)
   last_scan_ = std::make_shared<const Scan>(std::move(scan));
   ++scans_ended_;
   published_rows_ = 0;
-  scans_.publish(sensor_msgs::PointCloud2ConstPtr(scanCloud(*last_scan_)));
+  const sensor_msgs::PointCloud2ConstPtr cloud = scanCloud(*last_scan_);
+  scans_.publish(cloud);
+  ended_.publish(scanInfo(cloud->header, *last_scan_));
+}
+
+ScanInfoConstPtr ScanServer::scanInfo(const std_msgs::Header& header, const Scan& scan) const
+{
+  auto info = boost::make_shared<ScanInfo>();
+  info->header = header;
+  info->rows = static_cast<std::uint32_t>(scan.rows.size());
+  info->cells = scan.cells;
+  info->end = static_cast<std::uint8_t>(scan.end);
+  info->calibration = record_.file;
+  info->calibration_hash = record_.hash;
+  info->calibration_date = record_.date;
+  return info;
 }
 
 void ScanServer::onPoll()

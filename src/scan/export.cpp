@@ -6,11 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include <pcl/PCLPointCloud2.h>
 #include <pcl/console/print.h>
-#include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
+#include "pcd_file.h"
 #include "weld_profiler/core/atomic_file.h"
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/scan/cloud_record.h"
@@ -22,22 +21,7 @@ namespace
 {
 pcl::PCLPointCloud2 pclCloud(const std::vector<CloudRecord>& records, std::size_t width)
 {
-  pcl::PCLPointCloud2 cloud;
-  cloud.width = static_cast<std::uint32_t>(width);
-  cloud.height = static_cast<std::uint32_t>(records.size() / width);
-  cloud.point_step = sizeof(CloudRecord);
-  cloud.row_step = cloud.width * cloud.point_step;
-  cloud.is_dense = 0;
-  for (const CloudField& field : kCloudFields)
-  {
-    pcl::PCLPointField description;
-    description.name = field.name;
-    description.offset = field.offset;
-    description.datatype = field.is_float ? pcl::PCLPointField::FLOAT32 : pcl::PCLPointField::UINT8;
-    description.count = 1;
-    cloud.fields.push_back(description);
-  }
-  cloud.data.resize(records.size() * sizeof(CloudRecord));
+  pcl::PCLPointCloud2 cloud = emptyPclCloud(width, records.size() / width, sizeof(CloudRecord));
   std::memcpy(cloud.data.data(), records.data(), cloud.data.size());
   return cloud;
 }
@@ -67,22 +51,6 @@ void requireData(const AtomicFile& file, const std::string& marker, std::uintmax
   const std::uintmax_t size = std::filesystem::file_size(file.temporaryPath(), error);
   if (found == std::string::npos || error || size < found + marker.size() + data_bytes)
     throw file.failure("the file came out short, is the disk full?");
-}
-
-/// PCL makes the header; its own writer maps the file into memory, where a full disk is a SIGBUS and no error.
-void writePcd(const Scan& scan, const AtomicFile& file)
-{
-  const pcl::PCLPointCloud2 cloud = pclCloud(organisedRecords(scan), scan.cells);
-  const std::string header =
-      pcl::PCDWriter().generateHeaderBinary(cloud, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity()) +
-      "DATA binary\n";
-  errno = 0;
-  std::ofstream out(file.temporaryPath(), std::ios::binary | std::ios::trunc);
-  out.write(header.data(), static_cast<std::streamsize>(header.size()));
-  out.write(reinterpret_cast<const char*>(cloud.data.data()), static_cast<std::streamsize>(cloud.data.size()));
-  out.close();
-  if (!out)
-    throw file.failure(errno != 0 ? std::strerror(errno) : "write failed, is the disk full?");
 }
 
 /// What PCL refuses to write: a cloud without a point.
@@ -131,7 +99,7 @@ void saveScan(const Scan& scan, const std::string& path, const std::string& form
   try
   {
     if (format == "pcd")
-      writePcd(scan, file);
+      writePcd(pclCloud(organisedRecords(scan), scan.cells), file);
     else if (format == "ply")
       writePly(scan, file);
     else

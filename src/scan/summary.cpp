@@ -82,6 +82,23 @@ JsonObject& JsonObject::add(const std::string& key, const JsonObject& object)
   return *this;
 }
 
+JsonObject& JsonObject::add(const std::string& key, const std::vector<std::string>& texts)
+{
+  std::string json;
+  for (const std::string& text : texts)
+    json += (json.empty() ? "" : ", ") + quoted(text);
+  return addRaw(key, "[" + json + "]");
+}
+
+JsonObject& JsonObject::add(const std::string& key, const std::vector<JsonObject>& objects)
+{
+  constexpr int kIndent = 2;
+  std::string json;
+  for (const JsonObject& object : objects)
+    json += (json.empty() ? "" : ", ") + object.text(kIndent);
+  return addRaw(key, "[" + json + "]");
+}
+
 std::string JsonObject::text(int indent) const
 {
   return text(entries_, indent);

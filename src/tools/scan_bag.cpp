@@ -6,9 +6,11 @@
 #include "tools/params_file.h"
 #include "tools/run_command.h"
 #include "tools/staged_output.h"
+#include "tools/weld_output.h"
 #include "weld_profiler/ros/calibration_url.h"
 #include "weld_profiler/ros/scan_server.h"
 #include "weld_profiler/ros/stripe_worker.h"
+#include "weld_profiler/ros/weld_server.h"
 #include "weld_profiler/scan/export.h"
 #include "weld_profiler/scan/summary.h"
 
@@ -24,6 +26,9 @@ struct Options
   std::string motion;
   std::string fixed_frame;
   double max_drop = 0.05;
+  std::string weld_id;
+  bool no_weld = false;
+  bool no_report = false;
   std::string out;
   std::vector<std::string> bags;
 };
@@ -39,14 +44,17 @@ void declare(CommandLine& command, Options& options)
   command.option("fixed-frame F", options.fixed_frame, "frame of the cloud with --motion tf");
   command.option("max-drop FRACTION", options.max_drop,
                  "share of frames that may be dropped or unplaced before the exit status is 3, 0..1");
-  command.option("out DIR", options.out, "where scan.pcd, scan.ply and summary.json go; created if needed");
+  command.option("weld-id ID", options.weld_id, "name of the weld, for its files and the report");
+  command.flag("no-weld", options.no_weld, "write the scan alone: measure no weld");
+  command.flag("no-report", options.no_report, "write no report.html and report.png");
+  command.option("out DIR", options.out, "where the files go; created if needed");
   command.required();
   command.arguments("BAG", options.bags, "a bag with image_raw, camera_info and joint_states (or /tf)");
   command.example("scan_bag --calibration calibration.yaml --out scan1 weld.bag");
   command.example("scan_bag --calibration weld.bag.truth/calibration.yaml --params tuned.yaml --out scan2 weld.bag");
 }
 
-BagScanParams bagScanParams(const Options& options)
+BagScanParams bagScanParams(const Options& options, WeldServerParams& weld)
 {
   if (options.bags.size() != 1)
     throw UsageError("one BAG at a time, " + std::to_string(options.bags.size()) + " were given");
@@ -59,6 +67,7 @@ BagScanParams bagScanParams(const Options& options)
   ScanServerParams server;
   file.load("stripe_centre", params.stripe, live);
   file.load("triangulation", server);
+  file.load("weld_measurement", weld);
   file.refuseUnknown();
   params.chain = server.chain;
   if (!options.motion.empty())
@@ -67,6 +76,7 @@ BagScanParams bagScanParams(const Options& options)
     params.chain.fixed_frame = options.fixed_frame;
   params.stripe.validate();
   params.chain.validate();
+  weld.validate();
   return params;
 }
 
@@ -81,10 +91,11 @@ void writeScans(const BagScanResult& result, const std::filesystem::path& direct
   }
 }
 
-/// Clouds of an earlier run that this one does not write: beside its summary they would be taken for its own.
+/// Clouds of an earlier run that this one does not write, and the folders of its further welds: beside this summary
+/// they would be taken for its own.
 void removeStaleClouds(std::size_t scans, const std::filesystem::path& directory)
 {
-  const std::regex cloud("scan(_([0-9]{1,6}))?\\.(pcd|ply)");
+  const std::regex cloud("scan(_([0-9]{1,6}))?(\\.(pcd|ply))?");
   std::vector<std::filesystem::path> stale;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
   {
@@ -97,7 +108,7 @@ void removeStaleClouds(std::size_t scans, const std::filesystem::path& directory
       stale.push_back(entry.path());
   }
   for (const std::filesystem::path& path : stale)
-    std::filesystem::remove(path);
+    std::filesystem::remove_all(path);
 }
 
 std::size_t pointCount(const BagScanResult& result)
@@ -140,10 +151,18 @@ int report(const BagScanResult& result, const Options& options)
   return pointCount(result) == 0 || many_lost ? kPoorResult : kGood;
 }
 
+WeldTask weldTask(const Options& options, const WeldSettings& settings)
+{
+  return WeldTask{
+    settings, { options.weld_id, calibrationRecord(resolveUrl(options.calibration)) }, !options.no_report, options.out
+  };
+}
+
 int scan(const Options& options)
 {
   requireRange("--max-drop", options.max_drop, 0.0, 1.0);
-  const BagScanParams params = bagScanParams(options);
+  WeldServerParams weld;
+  const BagScanParams params = bagScanParams(options, weld);
   const BagScanResult result = scanBag(params);
   makeOutputDirectory(options.out);
   StagedOutput output;
@@ -151,6 +170,8 @@ int scan(const Options& options)
   writeSummaryFile(result, options.out, output);
   output.commit();
   removeStaleClouds(result.scans.size(), options.out);
+  if (!options.no_weld)
+    measureWelds(result.scans, weldTask(options, weld.settings));
   return report(result, options);
 }
 }  // namespace
@@ -164,7 +185,10 @@ int main(int argc, char** argv)
       "Turns a recorded scan into an organised point cloud: the live chain over a bag, every message, without a ROS\n"
       "master. The same bag and parameters give the same bytes. Leaves scan.pcd (organised, the fields of "
       "scan_points),\n"
-      "scan.ply and summary.json (where every frame went) in DIR.");
+      "scan.ply, summary.json (where every frame went) and what was measured of the weld: weld.json, weld.csv,\n"
+      "verdict.csv, spots.csv, weld_points.pcd, the hand-over to grinding and the report. A second scan of the bag "
+      "has\n"
+      "a folder scan_2 for that in DIR.");
   weld_profiler::declare(command, options);
   return weld_profiler::runCommand(command, argc, argv, [&] { return weld_profiler::scan(options); });
 }

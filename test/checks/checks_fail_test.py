@@ -167,7 +167,10 @@ class ParameterFiles(CheckCase):
         super().setUp()
         self.copy("include/weld_profiler/stripe/stripe_params.h", "include/weld_profiler/scan/scan_params.h",
                   "include/weld_profiler/stage/encoder_track.h", "config/stripe_centre.yaml",
-                  "config/triangulation.yaml", "cfg/StripeCentre.cfg", "cfg/Triangulation.cfg")
+                  "config/triangulation.yaml", "cfg/StripeCentre.cfg", "cfg/Triangulation.cfg",
+                  "config/weld_measurement.yaml", *("include/weld_profiler/" + header for header in (
+                      "weld/weld_params.h", "weld/verdict_params.h", "weld/grinding_params.h", "weld/weld_surface.h",
+                      "ros/weld_server.h")))
 
     def test_passes_on_this_tree(self):
         self.assert_passes("parameter_files")

@@ -10,11 +10,16 @@ from source_tree import Tree, finish
 STRIPE = "include/weld_profiler/stripe/stripe_params.h"
 SCAN = "include/weld_profiler/scan/scan_params.h"
 ENCODER = "include/weld_profiler/stage/encoder_track.h"
-FILES = (("config/stripe_centre.yaml", (STRIPE,)), ("config/triangulation.yaml", (SCAN, ENCODER)))
+WELD = tuple("include/weld_profiler/" + header for header in (
+    "weld/weld_params.h", "weld/verdict_params.h", "weld/grinding_params.h", "weld/weld_surface.h", "ros/weld_server.h"))
+FILES = (("config/stripe_centre.yaml", (STRIPE,)), ("config/triangulation.yaml", (SCAN, ENCODER)),
+         ("config/weld_measurement.yaml", WELD))
 KNOBS = (("cfg/StripeCentre.cfg", (STRIPE,)), ("cfg/Triangulation.cfg", (SCAN,)))
 
 DECLARATION = re.compile(r"^\s*(?:double|int|bool|std::string)\s+([^;()]*=[^;()]*);", re.M)
-VISITED = re.compile(r'\bv\("(\w+)",')
+OPTIONAL = re.compile(r"^\s*std::optional<double>\s+(\w+);", re.M)  # 0 in a file stands for none
+EMPTY = re.compile(r"^\s*std::string\s+(\w+);", re.M)
+VISITED = re.compile(r'\bv(?:isitThickness\(v, |\()"(\w+)",')
 KNOB = re.compile(r'^gen\.add\("(\w+)",\s*\w+,\s*\d+,\s*"[^"]*",\s*([^,)]+)', re.M)
 
 
@@ -40,6 +45,8 @@ def fields(tree, headers):
             for part in declaration.split(","):
                 name, default = part.split("=", 1)
                 defaults[name.strip()] = value(default)
+        defaults.update({name: 0.0 for name in OPTIONAL.findall(text)})
+        defaults.update({name: "" for name in EMPTY.findall(text)})
         found.update({name: defaults[name] for name in VISITED.findall(text) if name in defaults})
     return found
 

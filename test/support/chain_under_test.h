@@ -18,11 +18,10 @@ namespace weld_profiler
 class Chain
 {
 public:
-  Chain(const std::string& name, int frames)
-    : manager(name),
-      feed(name, smallScene(frames)),
-      triangulation(name + "/triangulation"),
-      stripe(name + "/stripe_centre")
+  Chain(const std::string& name, int frames) : Chain(name, smallScene(frames)) {}
+
+  Chain(const std::string& name, const SceneParams& scene)
+    : manager(name), feed(name, scene), triangulation(name + "/triangulation"), stripe(name + "/stripe_centre")
   {
     saveCalibration(feed.scan().calibration(), folder.file("calibration.yaml"));
     manager.set("triangulation", "calibration", folder.file("calibration.yaml"));

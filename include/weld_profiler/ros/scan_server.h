@@ -12,8 +12,10 @@
 #include <tf2_ros/transform_listener.h>
 
 #include "weld_profiler/SaveScan.h"
+#include "weld_profiler/ScanInfo.h"
 #include "weld_profiler/ros/age_statistics.h"
 #include "weld_profiler/ros/scan_chain.h"
+#include "weld_profiler/ros/weld_files.h"
 
 namespace weld_profiler
 {
@@ -48,7 +50,9 @@ public:
   };
 
   /// @throws ConfigError naming field, value and range.
-  ScanServer(const Handles& handles, const ScanServerParams& params, const Calibration& calibration);
+  /// @param record  names the calibration in scan_info.
+  ScanServer(const Handles& handles, const ScanServerParams& params, const Calibration& calibration,
+             const CalibrationRecord& record);
   ~ScanServer();
 
   /// Call last: from here on callbacks come.
@@ -63,6 +67,7 @@ private:
   void onJoints(const sensor_msgs::JointStateConstPtr& joints);
   void onProfile(const Profile& profile);
   void onScan(Scan&& scan);
+  ScanInfoConstPtr scanInfo(const std_msgs::Header& header, const Scan& scan) const;
   void onPoll();
   void onSecond();
   bool startScan(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -77,12 +82,14 @@ private:
 
   Handles handles_;
   const ScanServerParams params_;
+  const CalibrationRecord record_;
   tf2_ros::Buffer transforms_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Publisher profiles_;
   ros::Publisher scans_;
   ros::Publisher started_;
+  ros::Publisher ended_;
   diagnostic_updater::Updater updater_;
 
   std::mutex mutex_;  // guards everything below

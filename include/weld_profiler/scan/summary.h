@@ -22,6 +22,8 @@ public:
   JsonObject& add(const std::string& key, bool value);
   JsonObject& add(const std::string& key, const std::map<std::string, std::uint64_t>& counts);
   JsonObject& add(const std::string& key, const JsonObject& object);
+  JsonObject& add(const std::string& key, const std::vector<std::string>& texts);
+  JsonObject& add(const std::string& key, const std::vector<JsonObject>& objects);
 
   /// @param indent  blanks before each line but the first. No line end after the closing brace.
   std::string text(int indent = 0) const;

@@ -1,0 +1,105 @@
+#include "weld_profiler/ros/weld_files.h"
+
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <locale>
+#include <sstream>
+
+#include "weld_profiler/core/atomic_file.h"
+#include "weld_profiler/ros/weld_record.h"
+#include "weld_profiler/scan/labelled_scan.h"
+#include "weld_profiler/weld/grinding_csv.h"
+#include "weld_profiler/weld/mesh_ply.h"
+#include "weld_profiler/weld/verdict_csv.h"
+#include "weld_profiler/weld/weld_csv.h"
+
+namespace weld_profiler
+{
+namespace
+{
+namespace fs = std::filesystem;
+constexpr double kMillimetres = 1e3;
+
+void writeText(const std::string& path, const std::function<void(std::ostream&)>& write)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  write(text);
+  AtomicFile file(path);
+  file.write(text.str());
+  file.commit();
+}
+
+std::vector<WeldRecord> recordsOf(const WeldEvaluation& evaluation)
+{
+  std::vector<WeldRecord> records;
+  const std::vector<WeldSection>& sections = evaluation.result.sections;
+  for (std::size_t i = 0; i < sections.size(); ++i)
+  {
+    WeldRecord record;
+    record.section = sections[i];
+    if (i < evaluation.section_verdicts.size())
+    {
+      record.verdict = evaluation.section_verdicts[i].verdict;
+      record.unverified = evaluation.section_verdicts[i].unverified;
+    }
+    records.push_back(record);
+  }
+  return records;
+}
+
+void writeSpots(const std::vector<WeldSpot>& spots, std::ostream& out)
+{
+  const auto field = [&out](double value)
+  {
+    out << ',';
+    if (std::isfinite(value))
+      out << kMillimetres * value;
+  };
+  out << "kind,s_mm,x_mm,y_mm,z_mm,diameter_mm,height_mm,sigma_diameter_mm,sigma_height_mm\n";
+  for (const WeldSpot& spot : spots)
+  {
+    out << (spot.kind == WeldSpot::Kind::Pore ? "pore" : "spatter");
+    for (const double value : { spot.s, spot.x, spot.y, spot.z, spot.diameter.value, spot.height.value,
+                                spot.diameter.sigma, spot.height.sigma })
+      field(value);
+    out << '\n';
+  }
+}
+}  // namespace
+
+std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& evaluation,
+                                        const WeldSettings& settings, const WeldRecordInfo& info,
+                                        const std::string& directory)
+{
+  const auto path = [&](const char* name) { return (fs::path(directory) / name).string(); };
+  std::vector<std::string> files;
+  const auto text = [&](const char* name, const std::function<void(std::ostream&)>& write)
+  {
+    files.push_back(path(name));
+    writeText(files.back(), write);
+  };
+  text("weld.json", [&](std::ostream& out) { out << weldRecord(scan, evaluation, settings, info).text() << '\n'; });
+  text("weld.csv", [&](std::ostream& out) { writeWeldCsv(recordsOf(evaluation), out); });
+  text("verdict.csv", [&](std::ostream& out) { writeVerdictCsv(evaluation.verdict, out); });
+  text("spots.csv", [&](std::ostream& out) { writeSpots(evaluation.result.spots, out); });
+  files.push_back(path("weld_points.pcd"));
+  saveLabelledScan(scan, ScanLabels{ evaluation.result.labels, evaluation.result.removal }, files.back());
+  const std::vector<std::string> comments = { "weld " + info.weld_id, "frame " + scan.frame_id,
+                                              "calibration " + info.calibration.hash };
+  const auto mesh = [&](const char* name, const TriangleMesh& surface)
+  {
+    std::error_code ignored;
+    fs::remove(path(name), ignored);  // an earlier run's would be taken for this one's
+    if (!surface.empty())
+      text(name, [&](std::ostream& out) { writePly(surface, out, comments); });
+  };
+  mesh("bead.ply", evaluation.plan.bead);
+  mesh("target.ply", evaluation.plan.target);
+  text("passes.csv", [&](std::ostream& out) { writePassesCsv(evaluation.plan, out); });
+  return files;
+}
+}  // namespace weld_profiler

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "weld_profiler/core/scan.h"
+#include "weld_profiler/ros/weld_files.h"
+
+namespace weld_profiler
+{
+/// How scans are measured, and where that goes.
+struct WeldTask
+{
+  WeldSettings settings;
+  WeldRecordInfo info;
+  bool report = true;
+  std::string directory;  ///< exists; a second scan gets a folder scan_2 in it
+};
+
+/// Measures scans, writes their files and says on standard error what each shows.
+/// @throws InputError naming path and cause.
+void measureWelds(const std::vector<Scan>& scans, const WeldTask& task);
+}  // namespace weld_profiler

@@ -1,0 +1,193 @@
+// The whole chain with the weld at its end, in one manager: live sections, the summary, what grinding takes, the
+// action.
+#include <filesystem>
+
+#include <actionlib/client/simple_action_client.h>
+#include <geometry_msgs/PoseArray.h>
+#include <gtest/gtest.h>
+#include <pcl_msgs/PolygonMesh.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <std_srvs/Trigger.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "support/chain_under_test.h"
+#include "support/collector.h"
+#include "weld_profiler/GrindingPasses.h"
+#include "weld_profiler/ScanWeldAction.h"
+#include "weld_profiler/WeldMeasurement.h"
+
+namespace weld_profiler
+{
+namespace
+{
+constexpr int kFrames = 60;
+using Client = actionlib::SimpleActionClient<ScanWeldAction>;
+
+/// 15 mm of the weld's middle.
+SceneParams weldScene()
+{
+  SceneParams scene = smallScene(kFrames);
+  scene.part_start = 0.018;
+  scene.plates.misalignment = 0.0003;
+  return scene;
+}
+
+struct WeldChain : Chain
+{
+  explicit WeldChain(const std::string& name) : Chain(name, weldScene())
+  {
+    manager.set("weld_measurement", "report", false);
+    manager.set("weld_measurement", "output", folder.file("welds"));
+    manager.set("weld_measurement", "rest_time", 0.5);
+  }
+
+  void loadAll()
+  {
+    load();
+    ASSERT_TRUE(manager.load("weld_measurement"));
+  }
+
+  void feedAll()
+  {
+    for (int frame = 0; frame < kFrames; ++frame)
+      feed.publishFrame(frame);
+  }
+};
+
+std::size_t fieldCount(const sensor_msgs::PointCloud2& cloud, const std::string& name)
+{
+  std::size_t count = 0;
+  for (const sensor_msgs::PointField& field : cloud.fields)
+    count += field.name == name ? 1 : 0;
+  return count;
+}
+
+TEST(WeldNodelet, MeasuresAScanThatEndsAndHandsItToTheGrinder)
+{
+  WeldChain chain("/weld_scan");
+  chain.manager.set("weld_measurement", "thickness", 0.008);
+  chain.loadAll();
+  const Collector<WeldMeasurement> measured(chain.manager.topic("weld"));
+  const Collector<WeldMeasurement> summaries(chain.manager.topic("weld_summary"));
+  const Collector<sensor_msgs::PointCloud2> points(chain.manager.topic("weld_points"));
+  const Collector<GrindingPasses> passes(chain.manager.topic("grinding_passes"));
+  const Collector<geometry_msgs::PoseArray> toes(chain.manager.topic("toe_left"));
+  const Collector<pcl_msgs::PolygonMesh> beads(chain.manager.topic("bead_mesh"));
+  const Collector<visualization_msgs::MarkerArray> markers(chain.manager.topic("weld_markers"));
+  chain.feedAll();
+  ASSERT_TRUE(waitFor([&] { return measured.size() >= kFrames - 1; })) << measured.size() << " live sections";
+  ASSERT_TRUE(chain.call<std_srvs::Trigger>("stop_scan").success);
+  ASSERT_TRUE(waitFor([&] { return summaries.size() == 1 && passes.size() == 1 && beads.size() == 1; }));
+
+  int provisional = 0;
+  for (const auto& live : measured.all())
+    if (live->type == WeldMeasurement::LIVE)
+      provisional += live->sections.size() == 1 && std::abs(live->sections[0].width.value - 0.010) < 0.0005 ? 1 : 0;
+  EXPECT_GT(provisional, 0.8 * kFrames) << "live widths within 0.5 mm of 10 mm";
+
+  const WeldMeasurement& summary = *summaries.all().back();
+  EXPECT_EQ(summary.kind, "butt") << summary.reason;
+  EXPECT_GT(summary.sections.size(), 40U);
+  EXPECT_GT(summary.measured_share, 0.9F);
+  EXPECT_FALSE(summary.calibration_hash.empty());
+  EXPECT_NE(summary.settings.find("thickness: 0.008"), std::string::npos) << summary.settings;
+  EXPECT_FALSE(summary.verdict.empty());
+  const WeldCrossSection& middle = summary.sections[summary.sections.size() / 2];
+  EXPECT_NEAR(middle.width.value, 0.010, 0.0001);
+  EXPECT_NEAR(middle.misalignment.value, 0.0003, 0.00003);
+
+  const sensor_msgs::PointCloud2& cloud = *points.all().back();
+  EXPECT_EQ(cloud.point_step, 40U);
+  EXPECT_EQ(cloud.data.size(), static_cast<std::size_t>(cloud.width) * cloud.height * 40U);
+  EXPECT_EQ(fieldCount(cloud, "label"), 1U);
+  EXPECT_EQ(fieldCount(cloud, "removal"), 1U);
+  EXPECT_GT(toes.all().back()->poses.size(), 5U);
+  EXPECT_GT(passes.all().back()->passes.size(), 1U) << passes.all().back()->reason;
+  EXPECT_GT(passes.all().back()->removal_volume, 1e-8);
+  EXPECT_GT(beads.all().back()->polygons.size(), 500U);
+  EXPECT_GT(markers.all().back()->markers.size(), 2U);
+  const std::string welds = chain.folder.file("welds");
+  ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(welds); }));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(welds), {}), 1);
+}
+
+TEST(WeldNodelet, GivesNothingToTheGrinderInAFrameThatIsNotThere)
+{
+  WeldChain chain("/weld_frame");
+  chain.manager.set("weld_measurement", "output_frame", std::string("robot_base"));
+  chain.loadAll();
+  const Collector<WeldMeasurement> summaries(chain.manager.topic("weld_summary"));
+  const Collector<GrindingPasses> passes(chain.manager.topic("grinding_passes"));
+  const Collector<sensor_msgs::PointCloud2> points(chain.manager.topic("weld_points"));
+  chain.feedAll();
+  ASSERT_TRUE(chain.call<std_srvs::Trigger>("stop_scan").success);
+  ASSERT_TRUE(waitFor([&] { return summaries.size() == 1; }));
+  EXPECT_TRUE(waitFor([&] { return std::filesystem::exists(chain.folder.file("welds")); }));
+  EXPECT_EQ(passes.size(), 0U);
+  EXPECT_EQ(points.size(), 0U);
+}
+
+TEST(WeldNodelet, AScanIsAskedForByAnAction)
+{
+  WeldChain chain("/weld_action");
+  chain.manager.set("triangulation", "auto_start", false);
+  chain.loadAll();
+  Client client(chain.manager.topic("scan_weld"), true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(10.0)));
+  ScanWeldGoal goal;
+  goal.weld_id = "seam-12";
+  goal.thickness = 0.008;
+  goal.level = "D";
+  std::uint32_t profiles = 0;
+  client.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                  [&](const ScanWeldFeedbackConstPtr& feedback) { profiles = std::max(profiles, feedback->profiles); });
+  ASSERT_TRUE(waitFor([&] { return client.getState() == actionlib::SimpleClientGoalState::ACTIVE; }));
+  ros::WallDuration(0.5).sleep();
+  chain.feedAll();
+  ASSERT_TRUE(client.waitForResult(ros::Duration(30.0)));
+  ASSERT_EQ(client.getState().toString(), "SUCCEEDED") << client.getResult()->message;
+  const ScanWeldResult& result = *client.getResult();
+  EXPECT_EQ(result.summary.weld_id, "seam-12");
+  EXPECT_EQ(result.summary.kind, "butt") << result.message;
+  EXPECT_GE(profiles, 30U);
+  ASSERT_GE(result.files.size(), 5U) << result.message;
+  for (const std::string& file : result.files)
+  {
+    EXPECT_TRUE(std::filesystem::exists(file)) << file;
+    EXPECT_NE(file.find("seam-12"), std::string::npos) << file;
+  }
+}
+
+TEST(WeldNodelet, ABadGoalIsRefusedByName)
+{
+  WeldChain chain("/weld_goal");
+  chain.loadAll();
+  Client client(chain.manager.topic("scan_weld"), true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(10.0)));
+  const auto refusal = [&](const ScanWeldGoal& goal)
+  {
+    client.sendGoal(goal);
+    EXPECT_TRUE(client.waitForResult(ros::Duration(10.0)));
+    EXPECT_EQ(client.getState().toString(), "ABORTED");
+    return client.getResult()->message;
+  };
+  ScanWeldGoal goal;
+  goal.weld_id = "../../etc";
+  EXPECT_NE(refusal(goal).find("weld_id is '../../etc'"), std::string::npos);
+  goal = ScanWeldGoal();
+  goal.kind = "lap";
+  EXPECT_NE(refusal(goal).find("'lap'"), std::string::npos);
+  goal = ScanWeldGoal();
+  goal.travel = -1.0;
+  EXPECT_NE(refusal(goal).find("travel"), std::string::npos);
+}
+}  // namespace
+}  // namespace weld_profiler
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "weld_nodelet_test");
+  ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}
