@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "weld/weld_case.h"
+
+namespace weld_profiler
+{
+namespace weld_accuracy
+{
+/// What a weld is judged after.
+struct Judging
+{
+  std::string kind;        ///< the true one
+  double thickness = 0.0;  ///< [m]
+  bool toe_angle = false;
+};
+
+/// Best level that the true sizes meet: B, C, D or fail. ISO 5817 written down a second time, sharing no code and no
+/// table with weld/: what WeldJudge says is judged by it.
+std::string trueVerdict(const Judging& judging, const std::array<Deviation, kSizes>& sizes);
+
+/// Whether the truth lies more than 4 sigma, those told by the measurement, from every limit.
+/// @return false when a size that decides was not measured.
+bool clearOfLimits(const Judging& judging, const std::array<Deviation, kSizes>& sizes);
+}  // namespace weld_accuracy
+}  // namespace weld_profiler
