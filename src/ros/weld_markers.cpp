@@ -100,7 +100,7 @@ std::string line(const char* what, const Quantity& quantity, double scale, const
   if (!quantity.measured())
     return "";
   char words[96];
-  std::snprintf(words, sizeof(words), "%s %.2f +- %.2f %s\n", what, scale * quantity.value, scale * quantity.sigma,
+  std::snprintf(words, sizeof(words), "%s %.2f +- %.2f %s   ", what, scale * quantity.value, scale * quantity.sigma,
                 unit);
   return words;
 }
@@ -137,7 +137,7 @@ MarkerArray weldMarkers(const WeldEvaluation& evaluation, const std_msgs::Header
   }
   if (left.points.size() < 2)
     return all;
-  left.scale.x = right.scale.x = 2.0 * kLine;
+  left.scale.x = right.scale.x = 4.0 * kLine;
   Marker spots = marker(header, "spots", 0, Marker::SPHERE_LIST);
   spots.scale.x = spots.scale.y = spots.scale.z = 5.0 * kLine;
   paint(spots, { 0.2F, 0.5F, 1.0F });
