@@ -33,11 +33,13 @@ def column(rows, name):
 def draw_quantity(axis, weld, name, label):
     scan, gauge, truth = weld["scan"], weld["gauge"], weld["truth"]
     axis.plot(column(truth, "s_mm"), column(truth, "%s_mm" % name), color=TRUE, linewidth=0.8, label="truth", zorder=3)
-    axis.plot(column(scan, "s_mm"), column(scan, "%s_mm" % name), ".", color=MEASURED, markersize=4, label="scan",
+    axis.plot(column(scan, "s_mm"), column(scan, "%s_mm" % name), ".", color=MEASURED, markersize=3, label="scan",
               zorder=2)
     # half a reading's step either way, and the error of reading it
     axis.errorbar(column(gauge, "s_mm"), column(gauge, "%s_mm" % name), yerr=0.1, fmt="s", color=GAUGE, markersize=4,
                   capsize=2, linewidth=0.8, label="gauge, read to 0.1 mm", zorder=1)
+    read = column(gauge, "%s_mm" % name)
+    axis.set_ylim(min(read) - 0.25, max(read) + 0.25)  # the weld's ends run out of the picture
     axis.set_ylabel("%s [mm]" % label)
     axis.grid(alpha=0.3)
 
