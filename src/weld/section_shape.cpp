@@ -151,7 +151,9 @@ void fillParents(const SectionShape& shape, double seam, WeldSection& section)
   const Line& right = shape.right.line;
   const double angle = right.angle() - left.angle();
   const double sigma = std::hypot(shape.left.sigmaAt(seam), shape.right.sigmaAt(seam));
-  section.misalignment = Quantity{ std::abs(left.at(seam) - right.at(seam)) * std::abs(std::cos(angle)), sigma };
+  const double tilt = 0.5 * (left.angle() + right.angle());
+  const double offset = std::abs(left.at(seam) - right.at(seam)) * std::abs(std::cos(angle)) * std::cos(tilt);
+  section.misalignment = Quantity{ offset, sigma };
   section.angle = Quantity{ angle, std::sqrt(shape.left.covariance(1, 1) + shape.right.covariance(1, 1)) };
 }
 }  // namespace
