@@ -14,6 +14,7 @@ namespace weld
 namespace
 {
 constexpr double kNodeWindow = 3.5e-4;     // of the face's local fits [m]
+constexpr double kBlurredRim = 3e-4;     // of the face at a toe [m]
 constexpr double kUnseenRim = 1.2e-3;      // of the face at a toe; with more unseen its top may be there [m]
 constexpr double kFaceEnergy = 1.6;        // of the face's points over that of the parents': it is curved and rippled
 constexpr double kFaceBias = 1e-6;         // what the face's points err alike [m]
@@ -68,19 +69,34 @@ Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, do
   return Quantity{ top, nodes[best].sigma };
 }
 
-void fillHeights(const std::vector<HeightNode>& nodes, double step, const SectionShape& shape, WeldSection& section)
+/// Nodes clear of both toes, where the kinks' blur lifts or lowers the face.
+std::vector<HeightNode> clearOfToes(const std::vector<HeightNode>& nodes, const SectionShape& shape)
+{
+  std::vector<HeightNode> clear;
+  for (const HeightNode& node : nodes)
+  {
+    if (node.q - shape.toe_left.q > kBlurredRim && shape.toe_right.q - node.q > kBlurredRim)
+      clear.push_back(node);
+  }
+  return clear;
+}
+
+void fillHeights(const std::vector<HeightNode>& all, double step, const SectionShape& shape, WeldSection& section)
 {
   const Line chord = shape.chord();
+  const std::vector<HeightNode> nodes = clearOfToes(all, shape);
   const double middle = 0.5 * (shape.toe_left.q + shape.toe_right.q);
   if (!nodes.empty() && nodes.front().q - shape.toe_left.q < kUnseenRim &&
       shape.toe_right.q - nodes.back().q < kUnseenRim)
     section.reinforcement = largestAbove(nodes, chord, step);
+  if (section.reinforcement.value < 0.0)
+    section.reinforcement.value = 0.0;  // of a hollow face the toes are highest
   section.reinforcement.sigma = std::hypot(section.reinforcement.sigma, shape.chordSigma(middle));
   std::vector<HeightNode> with_toes = nodes;
   for (const ToeFit* toe : { &shape.toe_left, &shape.toe_right })
   {
     HeightNode node;
-    node.q = toe->q, node.z = toe->z, node.sigma = toe->sigma * std::sin(toe->flank);
+    node.q = toe->q, node.z = toe->z, node.sigma = toe->sigma * std::abs(std::sin(toe->flank));
     with_toes.insert(toe == &shape.toe_left ? with_toes.begin() : with_toes.end(), node);
   }
   for (const Side side : { Side::Left, Side::Right })

@@ -20,6 +20,8 @@ constexpr double kStartLevel = 0.15;     // of the face's height: the search beg
 constexpr double kStartHeight = 4.5e-5;  // ... but no higher than this [m]
 constexpr double kSteepest = 1.45;       // a face nearer to upright was not measured [rad]
 constexpr double kLargestFlank = 2.6;    // between parent and face, in a corner [rad]
+constexpr double kFalling = -0.3;        // a face that falls more steeply from its toe is a groove's [rad]
+constexpr double kDeepest = 1.5e-3;      // ... as is one that lies deeper below its parent [m]
 constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
 constexpr double kBias = 2.2e-6;         // what the kink's blur leaves in a toe's place, along the parent [m] ...
 constexpr double kBiasCut = 6.5e-6;      // ... where the profile goes on below the parent
@@ -84,20 +86,30 @@ private:
   /// Mean of three neighbours: one point does not decide where the search begins.
   double smoothAbove(std::size_t i) const { return (above(i - 1) + above(i) + above(i + 1)) / 3.0; }
 
+  /// Where the outline, from the weld's middle outward, comes down to the parent: just inside of the toe. Beside the
+  /// higher one of two plates a low face may fall from its toe and lie below the parent all along; then where it comes up.
   bool begin(double& start) const
   {
     if (points_.size() < 8)
       return false;
-    double top = 0.0;
+    double top = 0.0, bottom = 0.0;
     for (std::size_t i = 1; i + 1 < points_.size(); ++i)
+    {
       top = std::max(top, smoothAbove(i));
+      bottom = std::max(bottom, -smoothAbove(i));
+    }
+    return beginAt(1.0, top, start) || (bottom < kDeepest && beginAt(-1.0, bottom, start));
+  }
+
+  bool beginAt(double side, double top, double& start) const
+  {
     const double level = std::max(4.0 * parent_.scatter, std::min(kStartLevel * top, kStartHeight));
     if (!(top > 1.5 * level))
       return false;
     std::size_t i = points_.size() - 2;
-    while (i > 0 && smoothAbove(i) < 0.5 * top)
+    while (i > 0 && side * smoothAbove(i) < 0.5 * top)
       --i;
-    while (i > 0 && smoothAbove(i) > level)
+    while (i > 0 && side * smoothAbove(i) > level)
       --i;
     start = points_[i].x();
     return i > 0;
@@ -138,15 +150,17 @@ private:
   {
     const Eigen::Vector2d corner(place, line_.at(place));
     toe.flank = toe.face.direction(corner) - std::atan(line_.slope);
-    if (!(toe.flank > kShallowest && toe.flank < kLargestFlank && toe.face.direction(corner) < kSteepest))
+    if (!(std::abs(toe.flank) > kShallowest && toe.flank > kFalling && toe.flank < kLargestFlank &&
+          toe.face.direction(corner) < kSteepest))
       return;
     toe.q = inward_ * place;
     toe.z = corner.y();
     toe.energy = std::max(square(parent_.scatter) * parent_.correlated_cells, square(toe.face.scatter()) * 5.0);
     const double face = toe.face.sigmaAcross(corner, toe.energy);
     const double line = parent_.sigmaAt(toe.q) * along_.x();
-    toe.sigma = std::hypot(face, line * std::cos(toe.flank)) / std::sin(toe.flank);
-    toe.bias = std::max(cutBeside(place) ? kBiasCut : kBias, kFaceBias / std::sin(toe.flank));
+    const double steepness = std::abs(std::sin(toe.flank));
+    toe.sigma = std::hypot(face, line * std::cos(toe.flank)) / steepness;
+    toe.bias = std::max(cutBeside(place) ? kBiasCut : kBias, kFaceBias / steepness);
     toe.found = true;
   }
 
