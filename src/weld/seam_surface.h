@@ -45,6 +45,8 @@ public:
   explicit SeamSurface(const SeamSections& sections);
 
   std::size_t nearestSection(double s) const { return zones_.nearestSection(s); }
+  bool onFace(std::size_t k, double q) const { return zones_.zone(k, q) == Zone::Weld; }
+  double yaw(std::size_t k) const { return sections_.profile(k).place.yaw; }
 
   /// How far z lies above the median of the neighbouring sections at this place; NaN where nothing is known [m].
   double departure(std::size_t k, double q, double z) const;

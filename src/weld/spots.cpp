@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistics.h"
+#include "stray_excess.h"
 
 namespace weld_profiler
 {
@@ -22,20 +22,11 @@ class StraySearch
 {
 public:
   StraySearch(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface)
-    : grid_(grid), sampler_(sampler), surface_(surface), excess_(grid.z.size(), 0.0F), height_(grid.z.size(), 0.0F)
+    : grid_(grid), sampler_(sampler)
   {
-    for (std::size_t i = 0; i < grid.z.size(); ++i)
-    {
-      if (!std::isfinite(grid.z[i]))
-        continue;
-      const PathPlace& place = sampler.place(i);
-      const std::size_t k = surface.nearestSection(place.s);
-      const double departure = surface.departure(k, place.q, static_cast<double>(grid.z[i]));
-      if (!std::isfinite(departure))
-        continue;
-      height_[i] = static_cast<float>(departure);
-      excess_[i] = static_cast<float>(departure / surface.tolerance(k, place));
-    }
+    StrayExcess found = strayExcess(grid, sampler, surface);
+    excess_ = std::move(found.tolerances);
+    height_ = std::move(found.height);
   }
 
   Strays operator()()
@@ -126,7 +117,6 @@ private:
 
   const ScanGrid& grid_;
   const SectionSampler& sampler_;
-  const SeamSurface& surface_;
   std::vector<float> excess_;  ///< departure over tolerance
   std::vector<float> height_;  ///< departure [m]
   std::vector<std::uint8_t> seen_;

@@ -23,8 +23,8 @@ constexpr double kLargestFlank = 2.6;    // between parent and face, in a corner
 constexpr double kFalling = -0.3;        // a face that falls more steeply from its toe is a groove's [rad]
 constexpr double kDeepest = 1.5e-3;      // ... as is one that lies deeper below its parent [m]
 constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
-constexpr double kBias = 2.2e-6;         // what the kink's blur leaves in a toe's place, along the parent [m] ...
-constexpr double kBiasCut = 6.5e-6;      // ... where the profile goes on below the parent
+constexpr double kBias = 3e-6;           // what the kink's blur leaves in a toe's place, along the parent [m] ...
+constexpr double kBiasCut = 8e-6;        // ... where the profile goes on below the parent
 constexpr double kFaceBias = 1.3e-6;     // ... and in its face, square to it [m]
 constexpr double kCut = 1.5e-5;          // it does, where it lies this far below beside the toe [m]
 constexpr double kAngleSigmas = 1.2;     // the arc is a model: ripples and real faces depart from it
@@ -87,7 +87,8 @@ private:
   double smoothAbove(std::size_t i) const { return (above(i - 1) + above(i) + above(i + 1)) / 3.0; }
 
   /// Where the outline, from the weld's middle outward, comes down to the parent: just inside of the toe. Beside the
-  /// higher one of two plates a low face may fall from its toe and lie below the parent all along; then where it comes up.
+  /// higher one of two plates a low face may fall from its toe and lie below the parent all along; then where it comes
+  /// up.
   bool begin(double& start) const
   {
     if (points_.size() < 8)

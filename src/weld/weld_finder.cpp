@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <sstream>
 
 #include "statistics.h"
@@ -21,6 +22,7 @@ constexpr double kWidening = 1.7;          // of a bead's width in its middle: m
 constexpr double kHeapLength = 1.5;        // in widths
 constexpr double kHeapRise = 1.7;          // of the height in its middle
 constexpr double kToTheEnd = 1e-3;         // a bead seen this near to the scan's end goes on to it [m]
+constexpr double kAsWide = 0.5;            // of two pieces of one weld
 constexpr double kOnPath = 0.3;            // of the width: a bead this near to the path goes on along it
 
 WeldPath pathOf(const ScanGrid& grid, const BeadTrack& track)
@@ -113,6 +115,20 @@ std::string whyNotAWeld(const ScanGrid& grid, const BeadTrack& track)
   return text.str();
 }
 
+/// Adds what lies before and behind a track of another, as far as it is about as wide.
+void goOn(const BeadTrack& more, BeadTrack& track)
+{
+  const int first = track.rows.front().row, last = track.rows.back().row;
+  const double width = track.width();
+  std::copy_if(more.rows.begin(), more.rows.end(), std::back_inserter(track.rows),
+               [&](const RowBead& bead)
+               {
+                 const double ratio = (bead.x_right - bead.x_left) / width;
+                 return (bead.row < first || bead.row > last) && ratio > kAsWide && ratio < 1.0 / kAsWide;
+               });
+  std::sort(track.rows.begin(), track.rows.end(), [](const RowBead& a, const RowBead& b) { return a.row < b.row; });
+}
+
 /// Takes the rows of tracks that go on along the path into the weld; names the others.
 void sortOut(const ScanGrid& grid, std::vector<BeadTrack>& tracks, FoundWeld& found)
 {
@@ -122,16 +138,12 @@ void sortOut(const ScanGrid& grid, std::vector<BeadTrack>& tracks, FoundWeld& fo
   {
     const bool apart = tracks[t].rows.front().row > found.track.rows.back().row ||
                        tracks[t].rows.back().row < found.track.rows.front().row;
-    if (!apart && liesOnPath(grid, tracks[t], path, 0.5 * (width + tracks[t].width())))
-      continue;  // the same bead, seen otherwise in some rows
-    if (!apart || !liesOnPath(grid, tracks[t], path, kOnPath * width))
-    {
+    // the same bead, seen otherwise in some rows
+    const bool same = !apart && liesOnPath(grid, tracks[t], path, 0.5 * (width + tracks[t].width()));
+    if (!same && !(apart && liesOnPath(grid, tracks[t], path, kOnPath * width)))
       found.others.push_back(describe(grid, tracks[t]));
-      continue;
-    }
-    found.track.rows.insert(found.track.rows.end(), tracks[t].rows.begin(), tracks[t].rows.end());
-    std::sort(found.track.rows.begin(), found.track.rows.end(),
-              [](const RowBead& a, const RowBead& b) { return a.row < b.row; });
+    else
+      goOn(tracks[t], found.track);
   }
 }
 }  // namespace

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "seam_surface.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+/// How far each point of the grid departs from the surface.
+struct StrayExcess
+{
+  std::vector<float> height;      ///< above the surface [m]; 0 where nothing is known
+  std::vector<float> tolerances;  ///< the same in units of what the surface itself departs by
+};
+
+/// Points are held against the median of the sections around; on the face also against their neighbours across the
+/// weld, over 1.5 mm to either side along the section: ripples lift those alike, a ball of spatter does not.
+StrayExcess strayExcess(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface);
+}  // namespace weld
+}  // namespace weld_profiler
