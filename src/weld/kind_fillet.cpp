@@ -36,7 +36,8 @@ public:
     const double q = (left.height - right.height) / (right.slope - left.slope);
     const double z = left.at(q);
     // a parent that lies higher by its sigma moves the root along the other one
-    const double turn = std::abs(std::sin(right.angle() - left.angle()));
+    const double turn_angle = right.angle() - left.angle();
+    const double turn = std::abs(std::sin(turn_angle));
     const double along_left = shape.right.sigmaAt(q) * std::cos(right.angle()) / turn;
     const double along_right = shape.left.sigmaAt(q) * std::cos(left.angle()) / turn;
     section.leg_left = Quantity{ std::hypot(shape.toe_left.q - q, shape.toe_left.z - z),

@@ -14,7 +14,7 @@ namespace weld
 namespace
 {
 constexpr double kNodeWindow = 3.5e-4;     // of the face's local fits [m]
-constexpr double kBlurredRim = 3e-4;     // of the face at a toe [m]
+constexpr double kBlurredRim = 3e-4;       // of the face at a toe [m]
 constexpr double kUnseenRim = 1.2e-3;      // of the face at a toe; with more unseen its top may be there [m]
 constexpr double kFaceEnergy = 1.6;        // of the face's points over that of the parents': it is curved and rippled
 constexpr double kFaceBias = 1e-6;         // what the face's points err alike [m]
@@ -221,7 +221,9 @@ SectionValues sectionValues(const SectionProfile& profile, const SectionShape& s
     return values;
   }
   section.width = Quantity{ std::hypot(shape.toe_right.q - shape.toe_left.q, shape.toe_right.z - shape.toe_left.z),
-                            std::hypot(shape.toe_left.sigma, shape.toe_right.sigma) };
+                            // blur moves both toes inward or both outward
+                            std::sqrt(square(shape.toe_left.sigma) + square(shape.toe_right.sigma) +
+                                      2.0 * shape.toe_left.bias * shape.toe_right.bias) };
   HeightSpan span;
   span.from = shape.toe_left.q + params.edge_blur, span.to = shape.toe_right.q - params.edge_blur;
   span.half_window = kNodeWindow;

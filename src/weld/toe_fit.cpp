@@ -22,10 +22,11 @@ constexpr double kSteepest = 1.45;       // a face nearer to upright was not mea
 constexpr double kLargestFlank = 2.6;    // between parent and face, in a corner [rad]
 constexpr double kFalling = -0.3;        // a face that falls more steeply from its toe is a groove's [rad]
 constexpr double kDeepest = 1.5e-3;      // ... as is one that lies deeper below its parent [m]
+constexpr double kCrest = 1.5;           // levels that a crest stands out of what lies beside it
 constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
-constexpr double kBias = 3e-6;           // what the kink's blur leaves in a toe's place, along the parent [m] ...
-constexpr double kBiasCut = 8e-6;        // ... where the profile goes on below the parent
-constexpr double kFaceBias = 1.3e-6;     // ... and in its face, square to it [m]
+constexpr double kBias = 2e-6;           // what the kink's blur leaves in a toe's place, along the parent [m] ...
+constexpr double kBiasCut = 6e-6;        // ... where the profile goes on below the parent
+constexpr double kFaceBias = 2.2e-6;     // ... and in its face, square to it [m]
 constexpr double kCut = 1.5e-5;          // it does, where it lies this far below beside the toe [m]
 constexpr double kAngleSigmas = 1.2;     // the arc is a model: ripples and real faces depart from it
 constexpr int kAngleSamples = 64;
@@ -110,9 +111,16 @@ private:
     std::size_t i = points_.size() - 2;
     while (i > 0 && side * smoothAbove(i) < 0.5 * top)
       --i;
+    std::size_t nearest = i;  // to the parent
     while (i > 0 && side * smoothAbove(i) > level)
+    {
+      nearest = side * smoothAbove(i) < side * smoothAbove(nearest) ? i : nearest;
+      // between a face that falls from its toe and an undercut the toe is a crest below the parent
+      if (side < 0.0 && smoothAbove(i) < smoothAbove(nearest) - kCrest * level)
+        break;
       --i;
-    start = points_[i].x();
+    }
+    start = points_[i > 0 && side < 0.0 ? nearest : i].x();
     return i > 0;
   }
 
