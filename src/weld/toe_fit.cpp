@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "statistics.h"
+#include "undercut_flank.h"
 
 namespace weld_profiler
 {
@@ -23,6 +24,7 @@ constexpr double kLargestFlank = 2.6;    // between parent and face, in a corner
 constexpr double kFalling = -0.3;        // a face that falls more steeply from its toe is a groove's [rad]
 constexpr double kDeepest = 1.5e-3;      // ... as is one that lies deeper below its parent [m]
 constexpr double kCrest = 1.5;           // levels that a crest stands out of what lies beside it
+constexpr double kToldWell = 1.5e-5;     // a toe better known than this needs no other witness [m]
 constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
 constexpr double kBias = 2e-6;           // what the kink's blur leaves in a toe's place, along the parent [m] ...
 constexpr double kBiasCut = 6e-6;        // ... where the profile goes on below the parent
@@ -171,6 +173,28 @@ private:
     toe.sigma = std::hypot(face, line * std::cos(toe.flank)) / steepness;
     toe.bias = std::max(cutBeside(place) ? kBiasCut : kBias, kFaceBias / steepness);
     toe.found = true;
+    lookFromOutside(place, toe);
+  }
+
+  /// A flat face says little of the place where it meets the parent; the flank of an undercut may say more.
+  void lookFromOutside(double place, ToeFit& toe) const
+  {
+    const double told = std::hypot(toe.sigma, toe.bias);
+    if (told < kToldWell)
+      return;
+    std::vector<Eigen::Vector2d> outline;
+    outline.reserve(points_.size());
+    for (const Eigen::Vector2d& point : points_)
+      outline.emplace_back(point.x(), line_.above(point.x(), point.y()));
+    const Quantity flank = flankToe(outline, place, parent_.scatter);
+    if (!flank.measured())
+      return;
+    const double share = square(told) / (square(told) + square(flank.sigma));
+    const double better = (1.0 - share) * place + share * flank.value;
+    toe.q = inward_ * better;
+    toe.z = line_.at(better);
+    toe.sigma *= std::sqrt(1.0 - share);
+    toe.bias = std::hypot(toe.bias * (1.0 - share), flank.sigma * share);
   }
 
   const ParentFit& parent_;
