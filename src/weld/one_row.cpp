@@ -38,8 +38,6 @@ SectionProfile foreshortened(const ScanGrid& grid, const RowBead& bead, double y
       continue;
     profile.q.push_back((static_cast<double>(grid.x[i]) - profile.place.x) * std::cos(yaw));
     profile.z.push_back(static_cast<double>(grid.z[i]));
-    profile.sigma.push_back(static_cast<double>(grid.sigma[i]));
-    profile.column.push_back(column);
   }
   return profile;
 }

@@ -11,12 +11,19 @@ namespace weld
 {
 namespace
 {
-constexpr double kCorner = 0.5;       // parents at a larger angle make a corner [rad]
+constexpr double kCorner = 0.546;     // tangent of the angle from which parents make a corner: 0.5 rad
 constexpr double kNoiseSigmas = 4.0;  // a node stands out from its parent
 constexpr double kSeen = 2e-5;        // ... by at least this [m]
 constexpr double kWallHeight = 5e-4;  // of an upright wall [m]
 constexpr double kWallReach = 8e-4;   // it is looked for this far from the toe [m]
 constexpr double kWallStep = 2.5e-4;  // from one cell to the next [m]
+
+bool corner(const RowBead& bead)
+{
+  const double turn = 1.0 + bead.left.slope * bead.right.slope;  // times its tangent: the difference of the slopes
+  const double rise = bead.right.slope - bead.left.slope;
+  return turn > 0.0 ? rise > kCorner * turn : rise > 0.0;
+}
 }  // namespace
 
 RowOutline::RowOutline(const ScanGrid& grid, int row) : grid_(grid), row_(row), nodes_(rowNodes(grid, row))
@@ -75,7 +82,7 @@ double reference(const RowBead& bead, double x)
 {
   if (!bead.whole())
     return bead.left.valid() ? bead.left.at(x) : bead.right.at(x);
-  if (bead.right.angle() - bead.left.angle() > kCorner)
+  if (corner(bead))
     return std::max(bead.left.at(x), bead.right.at(x));
   const double share = (x - bead.x_left) / (bead.x_right - bead.x_left);
   return bead.left.at(bead.x_left) + share * (bead.right.at(bead.x_right) - bead.left.at(bead.x_left));
@@ -97,12 +104,17 @@ double RowOutline::sumUp(int first, int last, RowBead& bead) const
 
 bool RowOutline::wall(double x) const
 {
+  const auto near = std::lower_bound(nodes_.begin(), nodes_.end(), x - kWallReach,
+                                     [](const Node& node, double at) { return node.x < at; });
   double last_x = kNaN, last_z = kNaN;
-  for (int cell = 0; cell < grid_.cells; ++cell)
+  const int first = near == nodes_.begin() ? 0 : (near - 1)->cell;
+  for (int cell = first; cell < grid_.cells; ++cell)
   {
     const std::size_t i = grid_.at(row_, cell);
-    if (!std::isfinite(grid_.z[i]) || std::abs(grid_.x[i] - x) > kWallReach)
+    if (!std::isfinite(grid_.z[i]) || grid_.x[i] < x - kWallReach)
       continue;
+    if (grid_.x[i] > x + kWallReach)
+      break;
     const double rise = std::abs(grid_.z[i] - last_z);
     const double run = std::abs(grid_.x[i] - last_x);
     if ((rise > kWallStep && run < 1.5 * grid_.spacing) || (rise > kWallHeight && rise > 4.0 * run))

@@ -39,8 +39,9 @@ void SectionSampler::placeRow(int row)
     const bool hole = !std::isfinite(grid_.z[i]);
     x = hole ? x + grid_.spacing : static_cast<double>(grid_.x[i]);
     y = hole ? y : static_cast<double>(grid_.y[i]);
-    places_[i] = path_.locate(x, y, near_s);
-    near_s = places_[i].s;
+    const PathPlace place = path_.locate(x, y, near_s);
+    places_[i] = SmallPlace{ static_cast<float>(place.q), static_cast<float>(place.s) };
+    near_s = place.s;
   }
 }
 
@@ -54,15 +55,17 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
     --middle;
   profile.scan_row = grid_.scan_row[static_cast<std::size_t>(middle)];
   profile.row_pitch = grid_.pitch * std::cos(profile.place.yaw);
-  for (std::vector<double>* field : { &profile.q, &profile.z, &profile.sigma })
+  for (std::vector<double>* field : { &profile.q, &profile.z })
+  {
     field->clear();
-  profile.column.clear();
+    field->reserve(static_cast<std::size_t>(grid_.cells));
+  }
   const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
   const int reach = 3;
   int row = middle;  // where the last column crossed the plane
   for (int column = 0; column < grid_.cells; ++column)
   {
-    const auto along = [&](int r) { return places_[grid_.at(r, column)].s; };
+    const auto along = [&](int r) { return static_cast<double>(places_[grid_.at(r, column)].s); };
     while (row + 1 < grid_.rows && along(row + 1) <= s)
       ++row;
     while (row > 0 && along(row) > s)
@@ -80,8 +83,8 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
 
 void SectionSampler::add(double s, int column, int below, int above, SectionProfile& profile) const
 {
-  const double before = below < 0 ? kNaN : s - places_[grid_.at(below, column)].s;
-  const double after = above < 0 ? kNaN : places_[grid_.at(above, column)].s - s;
+  const double before = below < 0 ? kNaN : s - place(grid_.at(below, column)).s;
+  const double after = above < 0 ? kNaN : place(grid_.at(above, column)).s - s;
   double share = kNaN;  // of the point above
   if (before + after <= kBridge * profile.row_pitch)
     share = before / (before + after);
@@ -93,11 +96,8 @@ void SectionSampler::add(double s, int column, int below, int above, SectionProf
     return;
   const std::size_t a = grid_.at(share < 1.0 ? below : above, column);
   const std::size_t b = grid_.at(share > 0.0 ? above : below, column);
-  profile.q.push_back((1.0 - share) * places_[a].q + share * places_[b].q);
+  profile.q.push_back((1.0 - share) * place(a).q + share * place(b).q);
   profile.z.push_back((1.0 - share) * static_cast<double>(grid_.z[a]) + share * static_cast<double>(grid_.z[b]));
-  profile.sigma.push_back(std::sqrt(square((1.0 - share) * static_cast<double>(grid_.sigma[a])) +
-                                    square(share * static_cast<double>(grid_.sigma[b]))));
-  profile.column.push_back(column);
 }
 }  // namespace weld
 }  // namespace weld_profiler

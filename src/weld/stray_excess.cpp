@@ -92,10 +92,10 @@ private:
     const double tolerance = std::max(static_cast<double>(kLeast), kSigmas * scatter);
     for (std::size_t i = 0; i < grid_.z.size(); ++i)
     {
-      if (std::abs(result_.height[i]) < kLeast || std::abs(result_.tolerances[i]) > 1.0F || !onFace(i))
+      if (std::abs(result_.height[i]) < kLeast || !onFace(i))
         continue;
       const double above = aboveNeighbours(i);
-      if (std::abs(above) > std::abs(static_cast<double>(result_.tolerances[i])) * tolerance)
+      if (std::isfinite(above))
         result_.tolerances[i] = static_cast<float>(above / tolerance);
     }
   }

@@ -30,10 +30,6 @@ constexpr double kBias = 2e-6;           // what the kink's blur leaves in a toe
 constexpr double kBiasCut = 6e-6;        // ... where the profile goes on below the parent
 constexpr double kFaceBias = 2.2e-6;     // ... and in its face, square to it [m]
 constexpr double kCut = 1.5e-5;          // it does, where it lies this far below beside the toe [m]
-constexpr double kAngleSigmas = 1.2;     // the arc is a model: ripples and real faces depart from it
-constexpr int kAngleSamples = 64;
-constexpr double kAngleFace = 1e-3;        // interfaces: the face's first millimetre ...
-constexpr double kAngleShare = 1.0 / 3.0;  // ... or third of height
 
 /// The side's profile with u rising inward from the parent to the weld's middle.
 class ToeSearch
@@ -55,8 +51,12 @@ public:
       if (u >= outside && u <= middle)
         points_.push_back(Eigen::Vector2d(u, profile.z[i]));
     };
+    points_.reserve(profile.size());
     for (std::size_t i = 0; i < profile.size(); ++i)
       take(inward_ > 0.0 ? i : profile.size() - 1 - i);
+    above_.reserve(points_.size());
+    for (const Eigen::Vector2d& point : points_)
+      above_.push_back((point.y() - line_.at(point.x())) * along_.x());
   }
 
   ToeFit operator()()
@@ -84,10 +84,8 @@ public:
   }
 
 private:
-  double above(std::size_t i) const { return line_.above(points_[i].x(), points_[i].y()); }
-
   /// Mean of three neighbours: one point does not decide where the search begins.
-  double smoothAbove(std::size_t i) const { return (above(i - 1) + above(i) + above(i + 1)) / 3.0; }
+  double smoothAbove(std::size_t i) const { return (above_[i - 1] + above_[i] + above_[i + 1]) / 3.0; }
 
   /// Where the outline, from the weld's middle outward, comes down to the parent: just inside of the toe. Beside the
   /// higher one of two plates a low face may fall from its toe and lie below the parent all along; then where it comes
@@ -135,8 +133,10 @@ private:
     std::vector<FacePoint> chosen;
     for (const Eigen::Vector2d& point : points_)
     {
+      if (point.x() < toe || point.x() > toe + reach)
+        continue;
       const double distance = (point - corner).norm();
-      if (point.x() < toe || distance < params_.edge_blur || distance > reach)
+      if (distance < params_.edge_blur || distance > reach)
         continue;
       chosen.push_back(FacePoint{ point, 1.0 - 0.8 * square(distance / reach) });
     }
@@ -149,10 +149,10 @@ private:
   bool cutBeside(double toe) const
   {
     std::vector<double> heights;
-    for (const Eigen::Vector2d& point : points_)
+    for (std::size_t i = 0; i < points_.size(); ++i)
     {
-      if (point.x() < toe - params_.edge_blur && point.x() > toe - 4.0 * params_.edge_blur)
-        heights.push_back(line_.above(point.x(), point.y()));
+      if (points_[i].x() < toe - params_.edge_blur && points_[i].x() > toe - 4.0 * params_.edge_blur)
+        heights.push_back(above_[i]);
     }
     return median(std::move(heights)) < -kCut;
   }
@@ -184,8 +184,8 @@ private:
       return;
     std::vector<Eigen::Vector2d> outline;
     outline.reserve(points_.size());
-    for (const Eigen::Vector2d& point : points_)
-      outline.emplace_back(point.x(), line_.above(point.x(), point.y()));
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      outline.emplace_back(points_[i].x(), above_[i]);
     const Quantity flank = flankToe(outline, place, parent_.scatter);
     if (!flank.measured())
       return;
@@ -204,6 +204,7 @@ private:
   Line line_;
   Eigen::Vector2d along_;
   std::vector<Eigen::Vector2d> points_;  ///< (u, z), u rising
+  std::vector<double> above_;            ///< of each point, its height above the parent line
 };
 }  // namespace
 
@@ -213,38 +214,6 @@ ToeFit fitToe(const SectionProfile& profile, const ToeQuestion& question, const 
   if (!parent.valid())
     return ToeFit();
   return ToeSearch(profile, question, parent, params)();
-}
-
-Quantity toeAngle(const ToeFit& toe, Side side, const Line& parent, double height)
-{
-  if (toe.bridged || !std::isfinite(height))
-    return Quantity();
-  const double inward = -sign(side);
-  const Line line{ parent.height, inward * parent.slope };
-  const double begin = inward * toe.q;
-  const double step = kAngleFace / kAngleSamples;
-  double n = 0.0, u = 0.0, z = 0.0, uu = 0.0, uz = 0.0, length = 0.0, last = toe.z;
-  double reached = 0.0;
-  for (int i = 0; i <= kAngleSamples; ++i)
-  {
-    const double d = i * step;
-    const double at = toe.face.heightAt(begin + d);
-    length += i > 0 ? std::hypot(step, at - last) : 0.0;
-    last = at;
-    if (!std::isfinite(at) || length > kAngleFace || line.above(begin + d, at) > kAngleShare * height)
-      break;
-    n += 1.0, u += d, z += at, uu += d * d, uz += d * at;
-    reached = d;
-  }
-  const Eigen::Vector2d middle(begin + 0.5 * reached, toe.face.heightAt(begin + 0.5 * reached));
-  const double spread = n * uu - u * u;
-  double angle = toe.face.direction(middle);
-  if (n > 2.5 && spread > 0.0)
-    angle = std::atan((n * uz - u * z) / spread);
-  Quantity result;
-  result.value = 3.14159265358979323846 - (angle - std::atan(line.slope));
-  result.sigma = kAngleSigmas * toe.face.sigmaDirection(middle, toe.energy);
-  return result;
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -16,6 +16,8 @@ namespace
 {
 constexpr double kRowToeSigma = 1.5e-4;  // of a toe as a row shows it [m]
 constexpr int kFewestRows = 3;
+constexpr int kEnoughRows = 40;  // with more, those at least kRowStep apart are looked at [m]
+constexpr double kRowStep = 2e-4;
 constexpr std::size_t kFewestToTell = 10;  // rows, of a shape
 constexpr double kHighEnough = 3e-4;       // to tell it from [m]
 constexpr double kWidening = 1.7;          // of a bead's width in its middle: more is none
@@ -153,7 +155,8 @@ FoundWeld findWeld(const ScanGrid& grid, const WeldParams& params)
   FoundWeld found;
   std::vector<RowFindings> findings;
   findings.reserve(static_cast<std::size_t>(grid.rows));
-  for (int row = 0; row < grid.rows; ++row)
+  const int step = grid.rows > kEnoughRows ? std::max(1, static_cast<int>(kRowStep / grid.pitch)) : 1;
+  for (int row = 0; row < grid.rows; row += step)
     findings.push_back(findRowBeads(grid, row, params));
   std::vector<BeadTrack> tracks = trackBeads(grid, findings, std::min(kFewestRows, grid.rows));
   if (tracks.empty())
