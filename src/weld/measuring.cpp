@@ -135,6 +135,7 @@ void Measuring::fillSections(WeldResult& result)
     // a yaw that is not certain foreshortens by its square's half
     section.width.sigma = std::hypot(section.width.sigma, 0.5 * section.width.value * square(path_->yawSigma()));
     model.measure(sections_->shape(k), section);
+    stands_out_ = stands_out_ || standsOut(section);
     refuseDoubtful(params_, section);
     result.sections.push_back(section);
     result.path.push_back(sections_->profile(k).place);
@@ -181,8 +182,9 @@ WeldResult Measuring::operator()()
   result.spots = strays_.spots;
   if (result.measured_share == 0.0)
   {
-    add(result.reason, "no section could be measured");
-    if (params_.kind == "auto")
+    add(result.reason, stands_out_ ? "no section's width is certain enough: the face is too flat at a toe"
+                                   : "no section could be measured");
+    if (params_.kind == "auto" && !stands_out_)
       result.kind = WeldKind::None;
   }
   return result;

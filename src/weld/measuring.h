@@ -41,6 +41,7 @@ private:
   std::unique_ptr<const SeamGuess> guess_;
   std::unique_ptr<SeamSections> sections_;
   Strays strays_;
+  bool stands_out_ = false;                             ///< in some section a bead rises beyond doubt
   std::vector<double> undercut_left_, undercut_right_;  ///< width of each section's undercuts [m]
 };
 

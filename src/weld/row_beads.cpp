@@ -88,12 +88,14 @@ private:
       const double middle = 0.5 * (parents_[k].x_from + parents_[k].x_to);
       if (middle < bead.x_left || middle > bead.x_right)
         continue;
-      for (const double share : { 0.25, 0.75 })
+      const auto above = [&](double share)
       {
         const double x = parents_[k].x_from + share * parents_[k].length();
-        if (!(parents_[k].line.at(x) > reference(bead, x) + 2.0 * outline_.seen()))
-          return false;
-      }
+        return parents_[k].line.at(x) - reference(bead, x);
+      };
+      // a flat face comes down to its toes; a plate lies along the reference all the way
+      if (!(above(0.5) > 2.0 * outline_.seen() && above(0.25) > 0.0 && above(0.75) > 0.0))
+        return false;
     }
     return true;
   }

@@ -29,6 +29,20 @@ ToeFit& toeOf(SectionShape& shape, Side side)
 {
   return side == Side::Left ? shape.toe_left : shape.toe_right;
 }
+
+/// A face may fall from the toe of the higher plate, but not below the chord of the toes: that is no bead's.
+void dropSunken(SectionShape& shape)
+{
+  if (!shape.whole())
+    return;
+  const double chord = shape.chord().angle();
+  const auto sunken = [chord](const ToeFit& toe, double parent, double inward)
+  { return toe.flank < 0.0 && toe.flank + inward * (parent - chord) < 0.0; };
+  const bool left = sunken(shape.toe_left, shape.left.line.angle(), 1.0);
+  const bool right = sunken(shape.toe_right, shape.right.line.angle(), -1.0);
+  shape.toe_left.found = !left;
+  shape.toe_right.found = !right;
+}
 }  // namespace
 
 void SeamSections::fit(const std::vector<double>& places, const std::vector<std::uint8_t>& masked)
@@ -165,6 +179,7 @@ void SeamSections::fitToes()
     std::swap(question.guess, question.opposite);
     question.side = Side::Right;
     shape.toe_right = fitToe(profiles_[k], question, shape.right, params_);
+    dropSunken(shape);
   }
 }
 

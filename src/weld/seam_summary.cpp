@@ -166,12 +166,16 @@ void fillStatistics(WeldResult& result)
 }
 }  // namespace
 
-void refuseDoubtful(const WeldParams& params, WeldSection& section)
+bool standsOut(const WeldSection& section)
 {
   // with its top under spatter a face is known by its toes alone
-  const bool bead = !section.reinforcement.measured() || rises(section.reinforcement) ||
-                    (rises(section.height_left) && rises(section.height_right));
-  if (!section.hasBead() || (section.width.sigma <= params.max_width_sigma && bead))
+  return section.hasBead() && (!section.reinforcement.measured() || rises(section.reinforcement) ||
+                               (rises(section.height_left) && rises(section.height_right)));
+}
+
+void refuseDoubtful(const WeldParams& params, WeldSection& section)
+{
+  if (!section.hasBead() || (section.width.sigma <= params.max_width_sigma && standsOut(section)))
     return;
   const WeldSection doubtful = section;
   section = WeldSection();

@@ -7,6 +7,9 @@ namespace weld_profiler
 {
 namespace weld
 {
+/// Whether a section's bead rises beyond doubt, however certain its width is.
+bool standsOut(const WeldSection& section);
+
 /// Takes the bead out of a section whose width is not certain enough, or whose face does not rise above its reference
 /// by 3 sigma: no plausible-looking nonsense.
 void refuseDoubtful(const WeldParams& params, WeldSection& section);

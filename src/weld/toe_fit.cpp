@@ -169,7 +169,9 @@ private:
     toe.energy = std::max(square(parent_.scatter) * parent_.correlated_cells, square(toe.face.scatter()) * 5.0);
     const double face = toe.face.sigmaAcross(corner, toe.energy);
     const double line = parent_.sigmaAt(toe.q) * along_.x();
-    const double steepness = std::abs(std::sin(toe.flank));
+    // a flat face's angle is as uncertain as its height
+    const double doubt = toe.face.sigmaDirection(corner, toe.energy);
+    const double steepness = std::abs(std::sin(std::max(std::abs(toe.flank) - doubt, kShallowest)));
     toe.sigma = std::hypot(face, line * std::cos(toe.flank)) / steepness;
     toe.bias = std::max(cutBeside(place) ? kBiasCut : kBias, kFaceBias / steepness);
     toe.found = true;

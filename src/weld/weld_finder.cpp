@@ -25,6 +25,9 @@ constexpr double kHeapLength = 1.5;        // in widths
 constexpr double kHeapRise = 1.7;          // of the height in its middle
 constexpr double kToTheEnd = 1e-3;         // a bead seen this near to the scan's end goes on to it [m]
 constexpr double kAsWide = 0.5;            // of two pieces of one weld
+constexpr double kAround = 8e-3;           // rows this near in y tell how wide a bead is [m]
+constexpr double kOddShare = 0.25;         // a row's bead differs from them by more than this share
+constexpr double kOddWidth = 5e-4;         // ... and more than this [m]
 constexpr double kOnPath = 0.3;            // of the width: a bead this near to the path goes on along it
 
 WeldPath pathOf(const ScanGrid& grid, const BeadTrack& track)
@@ -131,6 +134,27 @@ void goOn(const BeadTrack& more, BeadTrack& track)
   std::sort(track.rows.begin(), track.rows.end(), [](const RowBead& a, const RowBead& b) { return a.row < b.row; });
 }
 
+/// Leaves out rows whose bead is far from as wide as in most of the rows around: there it was seen otherwise.
+void dropOdd(const ScanGrid& grid, BeadTrack& track)
+{
+  std::vector<RowBead> kept;
+  for (const RowBead& bead : track.rows)
+  {
+    std::vector<double> widths;
+    for (const RowBead& other : track.rows)
+    {
+      const double apart =
+          grid.row_y[static_cast<std::size_t>(other.row)] - grid.row_y[static_cast<std::size_t>(bead.row)];
+      if (std::abs(apart) < kAround)
+        widths.push_back(other.x_right - other.x_left);
+    }
+    const double usual = median(std::move(widths));
+    if (std::abs(bead.x_right - bead.x_left - usual) <= std::max(kOddShare * usual, kOddWidth))
+      kept.push_back(bead);
+  }
+  track.rows = std::move(kept);
+}
+
 /// Takes the rows of tracks that go on along the path into the weld; names the others.
 void sortOut(const ScanGrid& grid, std::vector<BeadTrack>& tracks, FoundWeld& found)
 {
@@ -176,6 +200,7 @@ FoundWeld findWeld(const ScanGrid& grid, const WeldParams& params)
     found.from_y = grid.row_y.front();
   if (grid.row_y.back() - found.to_y < kToTheEnd)
     found.to_y = grid.row_y.back();
+  dropOdd(grid, found.track);
   found.path = std::make_shared<WeldPath>(pathOf(grid, found.track));
   return found;
 }
