@@ -22,7 +22,7 @@ class RowSearch
 {
 public:
   RowSearch(const ScanGrid& grid, int row, const WeldParams& params)
-    : row_(row), params_(params), outline_(grid, row), parents_(rowParents(outline_.nodes(), outline_.noise(), params))
+    : row_(row), params_(params), outline_(grid, row), parents_(rowParents(outline_.nodes(), outline_.noise(), outline_.seen(), params))
   {
   }
 
@@ -114,10 +114,12 @@ private:
     if (first > last)
       return;
     outline_.setToes(first, last, bead);
+    const RowBead widest = bead;
     const int top = outline_.highest(first, last, bead);
     const int from = outline_.footOf(top, first, bead.left, bead), to = outline_.footOf(top, last, bead.right, bead);
     outline_.setToes(from, to, bead);
-    if (!isBead(from, to, bead) || !facesAbove(i, j, bead))
+    // beside the higher plate a low face ends below its parent's line: the chord of the nodes off the parents is lower
+    if (!isBead(from, to, bead) || !(facesAbove(i, j, bead) || facesAbove(i, j, widest)))
       return;
     const int walls = (outline_.wall(bead.x_left) ? 1 : 0) + (outline_.wall(bead.x_right) ? 1 : 0);
     findings.block = findings.block || walls == 2;

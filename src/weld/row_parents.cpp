@@ -1,6 +1,7 @@
 #include "row_parents.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "statistics.h"
 
@@ -12,12 +13,87 @@ namespace
 {
 constexpr double kClear = 3e-3;      // of a parent at the weld, that its line does without [m]
 constexpr double kClearShare = 0.4;  // ... but no more than this share of it
+constexpr int kRounds = 4;           // of the robust line through a run
+
+/// Tukey's biweight, begun at the run's own line: a low bead in a long run leaves it.
+Line robustLine(const std::vector<Node>& nodes, const StraightRun& run, double least_scale)
+{
+  const double middle = 0.5 * (run.x_from + run.x_to);
+  Line line = run.line;
+  for (int round = 0; round < kRounds; ++round)
+  {
+    std::vector<double> residuals;
+    for (int i = run.first; i < run.end; ++i)
+      residuals.push_back(nodes[static_cast<std::size_t>(i)].z - line.at(nodes[static_cast<std::size_t>(i)].x));
+    const double scale = std::max(least_scale, robustSigma(residuals));
+    double n = 0.0, x = 0.0, z = 0.0, xx = 0.0, xz = 0.0;
+    for (int i = run.first; i < run.end; ++i)
+    {
+      const Node& node = nodes[static_cast<std::size_t>(i)];
+      const double weight = tukey(residuals[static_cast<std::size_t>(i - run.first)] / scale);
+      const double d = node.x - middle;
+      n += weight, x += weight * d, z += weight * node.z, xx += weight * d * d, xz += weight * d * node.z;
+    }
+    const double spread = xx - x * x / n;
+    if (!(spread > 0.0))
+      return run.line;
+    line.slope = (xz - x * z / n) / spread;
+    line.height = (z - line.slope * x) / n - line.slope * middle;
+  }
+  return line;
+}
+
+/// The longest stretch of a run's nodes that lies above a line by more than `seen` and reaches min_height.
+std::pair<int, int> bumpOf(const std::vector<Node>& nodes, const StraightRun& run, const Line& line, double seen,
+                           const WeldParams& params)
+{
+  std::pair<int, int> longest(run.end, run.end);
+  double length = params.min_width;
+  for (int i = run.first; i < run.end; ++i)
+  {
+    const int begin = i;
+    double top = 0.0;
+    const auto rise = [&](int at)
+    { return line.above(nodes[static_cast<std::size_t>(at)].x, nodes[static_cast<std::size_t>(at)].z); };
+    for (; i < run.end && rise(i) > seen; ++i)
+      top = std::max(top, rise(i));
+    const double reach = i == begin ? 0.0
+                                    : nodes[static_cast<std::size_t>(i) - 1].x - nodes[static_cast<std::size_t>(begin)].x;
+    if (top < params.min_height || reach < length)
+      continue;
+    longest = { begin, i };
+    length = reach;
+  }
+  return longest;
+}
+
+/// Cuts a run at a bead so low that a straight line through it and its parents leaves little.
+void splitAtBumps(const std::vector<Node>& nodes, double seen, const WeldParams& params, std::vector<StraightRun>& runs)
+{
+  std::vector<StraightRun> split;
+  for (const StraightRun& run : runs)
+  {
+    const Line line = robustLine(nodes, run, 0.25 * seen);
+    const std::pair<int, int> bump = bumpOf(nodes, run, line, seen, params);
+    const auto x = [&nodes](int i) { return nodes[static_cast<std::size_t>(i)].x; };
+    if (bump.first == run.end || bump.first == run.first || bump.second == run.end)
+    {
+      split.push_back(run);
+      continue;
+    }
+    split.push_back(StraightRun{ run.first, bump.first, run.x_from, x(bump.first - 1), line });
+    split.push_back(StraightRun{ bump.second, run.end, x(bump.second), run.x_to, line });
+  }
+  runs = std::move(split);
+}
 }  // namespace
 
-std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise, const WeldParams& params)
+std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise, double seen,
+                                    const WeldParams& params)
 {
   const double tolerance = std::max(params.flatness, 2.0 * noise);
   std::vector<StraightRun> runs = straightRuns(nodes, tolerance);
+  splitAtBumps(nodes, seen, params, runs);
   runs.erase(std::remove_if(runs.begin(), runs.end(),
                             [&](const StraightRun& run) { return run.length() < params.min_parent_length; }),
              runs.end());

@@ -11,7 +11,9 @@ namespace weld
 {
 /// The straight pieces of a row that are long enough for parents; a flat face may be among them.
 /// @param noise  scatter of a node [m].
-std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise, const WeldParams& params);
+/// @param seen   a node farther off a line stands out from it [m].
+std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise, double seen,
+                                    const WeldParams& params);
 
 /// The line of the part of a run that is away from its end at the weld: a flat flank that begins there bends the run's
 /// own line. Through the medians of the part's outer thirds.

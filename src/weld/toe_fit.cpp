@@ -23,6 +23,7 @@ constexpr double kSteepest = 1.45;       // a face nearer to upright was not mea
 constexpr double kLargestFlank = 2.6;    // between parent and face, in a corner [rad]
 constexpr double kFalling = -0.3;        // a face that falls more steeply from its toe is a groove's [rad]
 constexpr double kDeepest = 1.5e-3;      // ... as is one that lies deeper below its parent [m]
+constexpr double kBeyond = 0.3;          // of its height: where the search begins on a rise outside of a crossing
 constexpr double kCrest = 1.5;           // levels that a crest stands out of what lies beside it
 constexpr double kToldWell = 1.5e-5;     // a toe better known than this needs no other witness [m]
 constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
@@ -100,7 +101,32 @@ private:
       top = std::max(top, smoothAbove(i));
       bottom = std::max(bottom, -smoothAbove(i));
     }
-    return beginAt(1.0, top, start) || (bottom < kDeepest && beginAt(-1.0, bottom, start));
+    if (beginAt(1.0, top, start))
+      return true;
+    if (!(bottom < kDeepest) || !beginAt(-1.0, bottom, start))
+      return false;
+    lookBeyond(start);
+    return true;
+  }
+
+  /// The face may have crossed the parent twice: a little above it between the toe and where it dives below.
+  void lookBeyond(double& start) const
+  {
+    const double level = 4.0 * parent_.scatter;
+    auto i = static_cast<std::size_t>(
+        std::lower_bound(points_.begin(), points_.end() - 1, start,
+                         [](const Eigen::Vector2d& point, double u) { return point.x() < u; }) -
+        points_.begin());
+    const double sunk = kCrest * std::max(level, -smoothAbove(std::max<std::size_t>(i, 1)));
+    double top = level;
+    // an undercut's far rim is not the face's
+    for (; i > 1 && smoothAbove(i - 1) > -sunk; --i)
+      top = std::max(top, smoothAbove(i - 1));
+    if (!(top > level))
+      return;
+    while (smoothAbove(i) < kBeyond * top)
+      ++i;
+    start = points_[i].x();
   }
 
   bool beginAt(double side, double top, double& start) const
