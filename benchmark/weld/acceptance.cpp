@@ -148,7 +148,8 @@ void addKinds(const Welds& welds, std::vector<Bar>& bars)
 
 void addVerdicts(const Welds& welds, std::vector<Bar>& bars)
 {
-  double decided = 0.0, wrong = 0.0, clear = 0.0, clear_decided = 0.0, empty = 0.0, all = 0.0;
+  constexpr double kUndecided = 2.0;  // a limit within so many sigmas leaves it open
+  double decided = 0.0, wrong = 0.0, clear = 0.0, clear_decided = 0.0, empty = 0.0, all = 0.0, by_chance = 0.0;
   for (const WeldCase& weld : welds)
   {
     for (const SectionCase& section : weld.sections)
@@ -159,15 +160,17 @@ void addVerdicts(const Welds& welds, std::vector<Bar>& bars)
       all += 1.0, empty += section.verdict.empty() ? 1.0 : 0.0;
       decided += is_decided ? 1.0 : 0.0;
       wrong += is_decided && section.verdict != section.true_verdict ? 1.0 : 0.0;
-      clear += section.clear ? 1.0 : 0.0;
-      clear_decided += section.clear && is_decided ? 1.0 : 0.0;
+      clear += section.clear() ? 1.0 : 0.0;
+      clear_decided += section.clear() && is_decided ? 1.0 : 0.0;
+      by_chance += section.clear() ? 0.5 * std::erfc((section.clearance - kUndecided) / std::sqrt(2.0)) : 0.0;
     }
   }
   bars.push_back(atMost("verdicts: wrong of the decided", share(wrong, decided), 2.5, "%"));
   bars.back().detail =
       format("%.0f of %.0f", wrong, decided) + format("; of %.0f sections %.0f without a verdict", all, empty);
   bars.push_back(atLeast("verdicts: decided where the truth is 4 sigma off", share(clear_decided, clear), 100.0, "%"));
-  bars.back().detail = format("%.0f of %.0f left open", clear - clear_decided, clear);
+  bars.back().detail = format("%.0f of %.0f left open", clear - clear_decided, clear) +
+                       format("; normal errors of the told sigmas leave %.0f", by_chance);
 }
 
 void addLabels(const Welds& welds, std::vector<Bar>& bars)

@@ -68,7 +68,7 @@ void writeSection(const SectionCase& section, std::ostream& out)
 {
   const auto verdict = [](const std::string& name) { return name.empty() ? kNoVerdict : name.c_str(); };
   out << "section " << text(section.s) << ' ' << static_cast<int>(section.stature) << ' ' << verdict(section.verdict)
-      << ' ' << verdict(section.true_verdict) << ' ' << section.clear;
+      << ' ' << verdict(section.true_verdict) << ' ' << text(section.clearance);
   for (const Deviation& size : section.sizes)
     out << ' ' << text(size.value) << ' ' << text(size.sigma) << ' ' << text(size.truth);
   out << '\n';
@@ -86,7 +86,7 @@ SectionCase readSection(Reader& reader)
     if (*verdict == kNoVerdict)
       verdict->clear();
   }
-  section.clear = reader.number() != 0.0;
+  section.clearance = reader.number();
   for (Deviation& size : section.sizes)
     size.value = reader.number(), size.sigma = reader.number(), size.truth = reader.number();
   return section;

@@ -174,7 +174,7 @@ std::vector<SectionCase> compareSections(const MeasuredWeld& weld)
     section.sizes = deviations(weld.result.sections[i], *truth);
     section.verdict = weld.judge.judge(weld.result.kind, weld.result.sections[i]).verdict;
     section.true_verdict = trueVerdict(weld.judging, section.sizes);
-    section.clear = clearOfLimits(weld.judging, section.sizes);
+    section.clearance = clearanceOf(weld.judging, section.sizes);
     sections.push_back(std::move(section));
   }
   return sections;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace weld_profiler
 {
@@ -13,8 +14,7 @@ constexpr double kMm = 0.001;
 constexpr double kDegree = 3.141592653589793 / 180.0;
 constexpr double kThin = 3.0 * kMm;
 constexpr double kNoImperfection = 0.05 * kMm;  // docs/verdict.md: "not permitted" counts from here
-constexpr double kClear = 4.0;
-using Levels = std::array<double, 3>;  // B, C, D
+using Levels = std::array<double, 3>;           // B, C, D
 
 /// Room to a limit: > 0 = within it.
 struct Margin
@@ -101,11 +101,17 @@ std::string trueVerdict(const Judging& judging, const std::array<Deviation, kSiz
   return "fail";
 }
 
-bool clearOfLimits(const Judging& judging, const std::array<Deviation, kSizes>& sizes)
+double clearanceOf(const Judging& judging, const std::array<Deviation, kSizes>& sizes)
 {
-  const Margins margins = marginsOf(judging, sizes);
-  return std::all_of(margins.begin(), margins.end(),
-                     [](const Margin& margin) { return std::abs(margin.value) > kClear * margin.sigma; });
+  double least = std::numeric_limits<double>::infinity();
+  for (const Margin& margin : marginsOf(judging, sizes))
+  {
+    const double clearance = std::abs(margin.value) / margin.sigma;
+    if (std::isnan(clearance))
+      return 0.0;
+    least = std::min(least, clearance);
+  }
+  return least;
 }
 }  // namespace weld_accuracy
 }  // namespace weld_profiler

@@ -22,8 +22,8 @@ struct Judging
 /// table with weld/: what WeldJudge says is judged by it.
 std::string trueVerdict(const Judging& judging, const std::array<Deviation, kSizes>& sizes);
 
-/// Whether the truth lies more than 4 sigma, those told by the measurement, from every limit.
-/// @return false when a size that decides was not measured.
-bool clearOfLimits(const Judging& judging, const std::array<Deviation, kSizes>& sizes);
+/// How far the truth lies from the nearest limit, in the sigmas told by the measurement.
+/// @return 0 when a size that decides was not measured.
+double clearanceOf(const Judging& judging, const std::array<Deviation, kSizes>& sizes);
 }  // namespace weld_accuracy
 }  // namespace weld_profiler

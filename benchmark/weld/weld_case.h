@@ -59,8 +59,10 @@ struct SectionCase
   std::array<Deviation, kSizes> sizes;
   std::string verdict;       ///< of WeldJudge; empty = none
   std::string true_verdict;  ///< of the true sizes, after this folder's own reading of the limits
-  bool clear = false;        ///< the truth lies more than 4 sigma from every limit
+  double clearance = 0.0;    ///< from the truth to the nearest limit, in sigmas; 0 = a size that decides is missing
 
+  /// The truth lies so far from every limit that a verdict is due.
+  bool clear() const { return clearance > 4.0; }
   bool hasBead() const { return sizes[Width].sigma == sizes[Width].sigma; }
 };
 

@@ -67,13 +67,13 @@ TEST(LimitsAgain, ClearMeansFourSigmaFromEveryLimitAndMeasured)
   const Judging judging{ "butt", 10.0 * kMm, false };
   auto sizes = flawless(12.0 * kMm, 2.15 * kMm);
   sizes[Reinforcement].sigma = sizes[HeightLeft].sigma = sizes[HeightRight].sigma = 0.01 * kMm;
-  EXPECT_TRUE(clearOfLimits(judging, sizes));
+  EXPECT_GT(clearanceOf(judging, sizes), 4.0);
   sizes[Width].sigma = 0.1 * kMm;  // a tenth of it is the limit's
-  EXPECT_FALSE(clearOfLimits(judging, sizes));
+  EXPECT_LT(clearanceOf(judging, sizes), 4.0);
   sizes[Width].sigma = 1e-6;
-  EXPECT_TRUE(clearOfLimits(judging, sizes));
+  EXPECT_GT(clearanceOf(judging, sizes), 4.0);
   sizes[UndercutLeft].sigma = kNaN;
-  EXPECT_FALSE(clearOfLimits(judging, sizes));
+  EXPECT_LT(clearanceOf(judging, sizes), 4.0);
 }
 }  // namespace
 }  // namespace weld_accuracy
