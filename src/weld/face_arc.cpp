@@ -56,6 +56,10 @@ FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
   arc.middle_ = 0.5 * (begin + end);
   arc.along_ = (end - begin).normalized();
   arc.across_ = Eigen::Vector2d(-arc.along_.y(), arc.along_.x());
+  std::vector<Eigen::Vector2d> places;
+  places.reserve(points.size());
+  for (const FacePoint& point : points)
+    places.push_back(arc.local(point.place));
   std::vector<double> residuals(points.size(), 0.0);
   double scale = 1.0;
   for (int round = 0; round < kRounds; ++round)
@@ -64,12 +68,12 @@ FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      const Eigen::Vector2d place = arc.local(points[i].place);
-      const Eigen::Vector3d row = rowOf(place);
+      const Eigen::Vector3d row = rowOf(places[i]);
       const double weight = points[i].weight * tukey(residuals[i] / scale);
-      normal += weight * row * row.transpose();
-      squared += square(weight) * row * row.transpose();
-      right += weight * place.y() * row;
+      const Eigen::Matrix3d product = weight * row * row.transpose();
+      normal += product;
+      squared += weight * product;
+      right += weight * places[i].y() * row;
     }
     const Eigen::Matrix3d inverse = normal.inverse();
     if (!inverse.allFinite())
@@ -77,10 +81,7 @@ FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
     arc.values_ = inverse * right;
     arc.shape_ = inverse * squared * inverse;
     for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const Eigen::Vector2d place = arc.local(points[i].place);
-      residuals[i] = place.y() - rowOf(place).dot(arc.values_);
-    }
+      residuals[i] = places[i].y() - rowOf(places[i]).dot(arc.values_);
     scale = std::max(robustSigma(residuals), kLeastScatter);
   }
   arc.scatter_ = scale;

@@ -175,7 +175,7 @@ ParentFit fitParent(const SectionProfile& profile, const ParentPiece& where, con
   }
   fit.inner = sign(side) * used_from;
   fit.outer = sign(side) * used_to;
-  fit.correlated_cells = correlationLength(piece);
+  fit.correlated_cells = where.correlation ? correlationLength(piece) : 1.0;
   fit.covariance *= square(fit.scatter) * fit.correlated_cells;
   return fit;
 }

@@ -43,8 +43,9 @@ struct ParentFit
 struct ParentPiece
 {
   Side side = Side::Left;
-  double toe = 0.0;    ///< q of the toe, roughly [m]
-  double begin = 0.0;  ///< from the toe outward, beyond where an undercut may be [m]
+  double toe = 0.0;         ///< q of the toe, roughly [m]
+  double begin = 0.0;       ///< from the toe outward, beyond where an undercut may be [m]
+  bool correlation = true;  ///< tell how many neighbours count as one; else each counts
 };
 
 /// The piece's begin for a parent that is in view for `room` from the toe outward: an undercut's reach, less where

@@ -22,7 +22,10 @@ class RowSearch
 {
 public:
   RowSearch(const ScanGrid& grid, int row, const WeldParams& params)
-    : row_(row), params_(params), outline_(grid, row), parents_(rowParents(outline_.nodes(), outline_.noise(), outline_.seen(), params))
+    : row_(row),
+      params_(params),
+      outline_(grid, row),
+      parents_(rowParents(outline_.nodes(), outline_.noise(), outline_.seen(), params))
   {
   }
 

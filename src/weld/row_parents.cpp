@@ -57,8 +57,8 @@ std::pair<int, int> bumpOf(const std::vector<Node>& nodes, const StraightRun& ru
     { return line.above(nodes[static_cast<std::size_t>(at)].x, nodes[static_cast<std::size_t>(at)].z); };
     for (; i < run.end && rise(i) > seen; ++i)
       top = std::max(top, rise(i));
-    const double reach = i == begin ? 0.0
-                                    : nodes[static_cast<std::size_t>(i) - 1].x - nodes[static_cast<std::size_t>(begin)].x;
+    const double reach =
+        i == begin ? 0.0 : nodes[static_cast<std::size_t>(i) - 1].x - nodes[static_cast<std::size_t>(begin)].x;
     if (top < params.min_height || reach < length)
       continue;
     longest = { begin, i };
@@ -88,8 +88,7 @@ void splitAtBumps(const std::vector<Node>& nodes, double seen, const WeldParams&
 }
 }  // namespace
 
-std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise, double seen,
-                                    const WeldParams& params)
+std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise, double seen, const WeldParams& params)
 {
   const double tolerance = std::max(params.flatness, 2.0 * noise);
   std::vector<StraightRun> runs = straightRuns(nodes, tolerance);

@@ -17,31 +17,12 @@ constexpr double kLever = 6e-3;                      // between the places that 
 constexpr Continuation kPlate{ 8e-3, 8e-3, false };  // of a parent that is not in view
 constexpr Continuation kToe{ 20e-3, 2e-3, true };    // of a toe, for maps
 constexpr double kCourse = 3e-3;                     // half window of the toes' course [m]
+constexpr std::size_t kCorrelationStep = 4;          // sections from one that tells it to the next
 constexpr double kShortPiece = 0.5;                  // of the median length: such a parent is rather continued
-constexpr double kBridgedSigma = 2.0;                // a toe told from its neighbours is less certain than they
 
 ParentFit& parentOf(SectionShape& shape, Side side)
 {
   return side == Side::Left ? shape.left : shape.right;
-}
-
-ToeFit& toeOf(SectionShape& shape, Side side)
-{
-  return side == Side::Left ? shape.toe_left : shape.toe_right;
-}
-
-/// A face may fall from the toe of the higher plate, but not below the chord of the toes: that is no bead's.
-void dropSunken(SectionShape& shape)
-{
-  if (!shape.whole())
-    return;
-  const double chord = shape.chord().angle();
-  const auto sunken = [chord](const ToeFit& toe, double parent, double inward)
-  { return toe.flank < 0.0 && toe.flank + inward * (parent - chord) < 0.0; };
-  const bool left = sunken(shape.toe_left, shape.left.line.angle(), 1.0);
-  const bool right = sunken(shape.toe_right, shape.right.line.angle(), -1.0);
-  shape.toe_left.found = !left;
-  shape.toe_right.found = !right;
 }
 }  // namespace
 
@@ -59,6 +40,8 @@ void SeamSections::fit(const std::vector<double>& places, const std::vector<std:
     smoothParents(side);
   }
   fitToes();
+  for (const Side side : { Side::Left, Side::Right })
+    dropLone(side);
 }
 
 void SeamSections::measureRoughly(const std::vector<double>& places)
@@ -93,8 +76,10 @@ void SeamSections::fitParents(Side side)
     const double toe = guess_.toe(side, places_[k]);
     const Line guess = guess_.parent(side, profiles_[k].place, toe);
     ParentFit& fit = parentOf(shapes_[k], side);
-    fit = fitParent(profiles_[k], ParentPiece{ side, toe, begin }, guess, params_);
-    lengths.push_back(fit.valid() ? fit.correlated_cells : kNaN);
+    const bool told = lengths.empty() || k % kCorrelationStep == 0;
+    fit = fitParent(profiles_[k], ParentPiece{ side, toe, begin, told }, guess, params_);
+    if (told && fit.valid())
+      lengths.push_back(fit.correlated_cells);
   }
   const double length = median(lengths);  // of one section alone it is hardly known
   for (std::size_t k = 0; k < size(); ++k)
@@ -167,77 +152,5 @@ void SeamSections::smoothParents(Side side)
   }
 }
 
-void SeamSections::fitToes()
-{
-  for (std::size_t k = 0; k < size(); ++k)
-  {
-    SectionShape& shape = shapes_[k];
-    ToeQuestion question;
-    question.guess = guess_.toe(Side::Left, places_[k]);
-    question.opposite = guess_.toe(Side::Right, places_[k]);
-    shape.toe_left = fitToe(profiles_[k], question, shape.left, params_);
-    std::swap(question.guess, question.opposite);
-    question.side = Side::Right;
-    shape.toe_right = fitToe(profiles_[k], question, shape.right, params_);
-    dropSunken(shape);
-  }
-}
-
-AlongWeld SeamSections::smoothToes(Side side)
-{
-  AlongWeld raw;
-  for (SectionShape& shape : shapes_)
-  {
-    const ToeFit& toe = toeOf(shape, side);
-    raw.value.push_back(toe.found ? toe.q : kNaN);
-    raw.sigma.push_back(toe.found ? toe.sigma : kNaN);
-  }
-  AlongWeld smooth = smoothAlong(places_, raw);
-  for (std::size_t k = 0; k < size(); ++k)
-  {
-    ToeFit& toe = toeOf(shapes_[k], side);
-    if (!toe.found)
-      continue;
-    toe.q = smooth.value[k];
-    toe.z = parentOf(shapes_[k], side).line.at(toe.q);
-    toe.sigma = std::hypot(smooth.sigma[k], toe.bias);
-  }
-  return smooth;
-}
-
-/// A toe under spatter, in a section that is otherwise seen, lies between its neighbours' toes.
-void SeamSections::bridgeToes(Side side)
-{
-  std::size_t before = size();
-  for (std::size_t k = 0; k < size(); ++k)
-  {
-    if (!toeOf(shapes_[k], side).found)
-      continue;
-    if (before < size() && k > before + 1 && places_[k] - places_[before] <= params_.max_bridge)
-    {
-      for (std::size_t j = before + 1; j < k; ++j)
-        bridgeToe(side, before, j, k);
-    }
-    before = k;
-  }
-}
-
-void SeamSections::bridgeToe(Side side, std::size_t before, std::size_t k, std::size_t after)
-{
-  SectionShape& shape = shapes_[k];
-  const ParentFit& parent = parentOf(shape, side);
-  const bool seen = profiles_[k].size() > std::min(profiles_[before].size(), profiles_[after].size()) / 2;
-  if (!parent.valid() || !seen)
-    return;
-  const ToeFit& a = toeOf(shapes_[before], side);
-  const ToeFit& b = toeOf(shapes_[after], side);
-  const double share = (places_[k] - places_[before]) / (places_[after] - places_[before]);
-  ToeFit& toe = toeOf(shape, side);
-  toe = a;
-  toe.bridged = true;
-  toe.q = a.q + share * (b.q - a.q);
-  toe.z = parent.line.at(toe.q);
-  toe.sigma = kBridgedSigma * std::max(a.sigma, b.sigma);
-}
 }  // namespace weld
 }  // namespace weld_profiler

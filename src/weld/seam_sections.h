@@ -42,6 +42,7 @@ private:
   void demoteShort(Side side);
   void smoothParents(Side side);
   void fitToes();
+  void dropLone(Side side);
   AlongWeld smoothToes(Side side);
   void bridgeToes(Side side);
   void bridgeToe(Side side, std::size_t before, std::size_t k, std::size_t after);

@@ -44,16 +44,36 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   fillMedians(rises);
 }
 
+SeamZones::SeamZones(const SeamSections& sections) : sections_(sections)
+{
+  const std::vector<double>& places = sections.places();
+  if (places.size() < 2)
+    return;
+  begin_ = places.front();
+  const double step = (places.back() - begin_) / static_cast<double>(places.size() - 1);
+  per_metre_ = 1.0 / step;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    while (k + 1 < places.size() && places[k] < begin_ + static_cast<double>(i) * step)
+      ++k;
+    first_.push_back(k);
+  }
+}
+
 std::size_t SeamZones::nearestSection(double s) const
 {
   const std::vector<double>& places = sections_.places();
-  const auto after = std::lower_bound(places.begin(), places.end(), s);
-  if (after == places.begin())
+  if (!(s > begin_) || first_.empty())
     return 0;
-  const auto k = static_cast<std::size_t>(after - places.begin());
-  if (after == places.end() || s - places[k - 1] < *after - s)
-    return k - 1;
-  return k;
+  const auto step =
+      static_cast<std::size_t>(std::min((s - begin_) * per_metre_, static_cast<double>(first_.size() - 1)));
+  std::size_t k = first_[step];
+  while (k > 0 && places[k - 1] >= s)
+    --k;
+  while (k < places.size() && places[k] < s)
+    ++k;
+  return k == places.size() || (k > 0 && s - places[k - 1] < places[k] - s) ? k - 1 : k;
 }
 
 Zone SeamZones::zone(std::size_t k, double q) const

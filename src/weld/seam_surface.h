@@ -22,7 +22,7 @@ class SeamZones
 {
 public:
   /// @param sections  must outlive the zones.
-  explicit SeamZones(const SeamSections& sections) : sections_(sections) {}
+  explicit SeamZones(const SeamSections& sections);
 
   std::size_t nearestSection(double s) const;
   Zone zone(std::size_t k, double q) const;
@@ -35,6 +35,9 @@ public:
 
 private:
   const SeamSections& sections_;
+  double begin_ = 0.0;
+  double per_metre_ = 1.0;          ///< steps
+  std::vector<std::size_t> first_;  ///< of each equal step along the weld, the first section not before it
 };
 
 /// The surface along a weld as its sections show it in the median: what single points are held against.

@@ -14,8 +14,8 @@ namespace weld
 struct SectionProfile
 {
   WeldPathPoint place;
-  int scan_row = 0;           ///< nearest row of the scan
-  double row_pitch = 0.0;     ///< distance of rows along the path here [m]
+  int scan_row = 0;          ///< nearest row of the scan
+  double row_pitch = 0.0;    ///< distance of rows along the path here [m]
   std::vector<double> q, z;  ///< [m]
 
   std::size_t size() const { return q.size(); }

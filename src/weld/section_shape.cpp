@@ -184,8 +184,12 @@ double SectionShape::chordSigma(double q) const
 {
   const Line line = chord();
   const double share = (q - toe_left.q) / (toe_right.q - toe_left.q);
-  return std::hypot((1.0 - share) * toeSigmaAcross(toe_left, left, line),
-                    share * toeSigmaAcross(toe_right, right, line));
+  // blur moves both toes inward or both outward
+  const double blur_left = toe_left.bias * std::sin(left.line.angle() - line.angle());
+  const double blur_right = -toe_right.bias * std::sin(right.line.angle() - line.angle());
+  const double common = 2.0 * (1.0 - share) * share * blur_left * blur_right;
+  return std::sqrt(std::max(0.0, square((1.0 - share) * toeSigmaAcross(toe_left, left, line)) +
+                                     square(share * toeSigmaAcross(toe_right, right, line)) + common));
 }
 
 double SectionShape::energy() const

@@ -16,6 +16,19 @@ inline double median(std::vector<double> values)
   if (values.empty())
     return std::numeric_limits<double>::quiet_NaN();
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  constexpr std::size_t kFew = 24;  // sorting so few is faster than selecting
+  if (values.size() <= kFew)
+  {
+    for (std::size_t i = 1; i < values.size(); ++i)
+    {
+      const double value = values[i];
+      std::size_t at = i;
+      for (; at > 0 && values[at - 1] > value; --at)
+        values[at] = values[at - 1];
+      values[at] = value;
+    }
+    return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *(middle - 1));
+  }
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1)
     return *middle;

@@ -53,7 +53,14 @@ struct Piece
 {
   int first, end;
   Sums sums;
+  double with_next = 0.0;  ///< scatter of this piece and the next about one line
 };
+
+void lookAhead(std::vector<Piece>& pieces, std::size_t i)
+{
+  if (i + 1 < pieces.size())
+    pieces[i].with_next = (pieces[i].sums + pieces[i + 1].sums).scatter();
+}
 
 /// Joins the two neighbours that lie straightest; false when none do.
 bool mergeBest(double tolerance, std::vector<Piece>& pieces)
@@ -62,10 +69,9 @@ bool mergeBest(double tolerance, std::vector<Piece>& pieces)
   std::size_t at = pieces.size();
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
   {
-    const double scatter = (pieces[i].sums + pieces[i + 1].sums).scatter();
-    if (!(scatter < best))
+    if (!(pieces[i].with_next < best))
       continue;
-    best = scatter;
+    best = pieces[i].with_next;
     at = i;
   }
   if (at == pieces.size())
@@ -73,8 +79,12 @@ bool mergeBest(double tolerance, std::vector<Piece>& pieces)
   pieces[at].sums = pieces[at].sums + pieces[at + 1].sums;
   pieces[at].end = pieces[at + 1].end;
   pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+  lookAhead(pieces, at);
+  if (at > 0)
+    lookAhead(pieces, at - 1);
   return true;
 }
+
 /// Joins pieces of one straight line that something short parts.
 void mergeAcrossDirt(const std::vector<Node>& nodes, double tolerance, std::vector<Piece>& pieces)
 {
@@ -142,11 +152,13 @@ std::vector<StraightRun> straightRuns(const std::vector<Node>& nodes, double tol
   const double middle = nodes.empty() ? 0.0 : nodes[nodes.size() / 2].x;  // keeps the sums small
   for (int first = 0; first < count; first += kFirstNodes)
   {
-    Piece piece{ first, std::min(count, first + kFirstNodes), Sums() };
+    Piece piece{ first, std::min(count, first + kFirstNodes), Sums(), 0.0 };
     for (int i = piece.first; i < piece.end; ++i)
       piece.sums.add(nodes[static_cast<std::size_t>(i)].x - middle, nodes[static_cast<std::size_t>(i)].z);
     pieces.push_back(piece);
   }
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    lookAhead(pieces, i);
   while (mergeBest(tolerance, pieces))
   {
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "statistics.h"
 
@@ -26,6 +27,7 @@ public:
   {
     result_.height.assign(grid.z.size(), 0.0F);
     result_.tolerances.assign(grid.z.size(), 0.0F);
+    on_face_.assign(grid.z.size(), 0);
     stride_ = std::max(1, static_cast<int>(std::lround(kBeside / kNeighbours / grid.spacing)));
   }
 
@@ -46,17 +48,14 @@ private:
     const PathPlace& place = sampler_.place(i);
     const std::size_t k = surface_.nearestSection(place.s);
     const double departure = surface_.departure(k, place.q, static_cast<double>(grid_.z[i]));
+    on_face_[i] = surface_.onFace(k, place.q) ? 1 : 0;
     if (!std::isfinite(departure))
       return;
     result_.height[i] = static_cast<float>(departure);
     result_.tolerances[i] = static_cast<float>(departure / surface_.tolerance(k, place));
   }
 
-  bool onFace(std::size_t i) const
-  {
-    return std::isfinite(grid_.z[i]) &&
-           surface_.onFace(surface_.nearestSection(sampler_.place(i).s), sampler_.place(i).q);
-  }
+  bool onFace(std::size_t i) const { return on_face_[i] != 0; }
 
   /// Height above the median of the neighbours in the same section; NaN where there are few.
   double aboveNeighbours(std::size_t i) const
@@ -104,6 +103,7 @@ private:
   const SectionSampler& sampler_;
   const SeamSurface& surface_;
   StrayExcess result_;
+  std::vector<std::uint8_t> on_face_;  ///< of each point, whether it lies between the toes
   int stride_ = 1;
 };
 }  // namespace

@@ -27,9 +27,9 @@ constexpr double kBeyond = 0.3;          // of its height: where the search begi
 constexpr double kCrest = 1.5;           // levels that a crest stands out of what lies beside it
 constexpr double kToldWell = 1.5e-5;     // a toe better known than this needs no other witness [m]
 constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
-constexpr double kBias = 2e-6;           // what the kink's blur leaves in a toe's place, along the parent [m] ...
-constexpr double kBiasCut = 6e-6;        // ... where the profile goes on below the parent
-constexpr double kFaceBias = 2.2e-6;     // ... and in its face, square to it [m]
+constexpr double kBias = 1.5e-6;         // what the kink's blur leaves in a toe's place, along the parent [m] ...
+constexpr double kBiasCut = 3.6e-6;      // ... where the profile goes on below the parent
+constexpr double kFaceBias = 2e-6;       // ... and in its face, square to it [m]
 constexpr double kCut = 1.5e-5;          // it does, where it lies this far below beside the toe [m]
 
 /// The side's profile with u rising inward from the parent to the weld's middle.
@@ -113,10 +113,10 @@ private:
   void lookBeyond(double& start) const
   {
     const double level = 4.0 * parent_.scatter;
-    auto i = static_cast<std::size_t>(
-        std::lower_bound(points_.begin(), points_.end() - 1, start,
-                         [](const Eigen::Vector2d& point, double u) { return point.x() < u; }) -
-        points_.begin());
+    auto i = static_cast<std::size_t>(std::lower_bound(points_.begin(), points_.end() - 1, start,
+                                                       [](const Eigen::Vector2d& point, double u)
+                                                       { return point.x() < u; }) -
+                                      points_.begin());
     const double sunk = kCrest * std::max(level, -smoothAbove(std::max<std::size_t>(i, 1)));
     double top = level;
     // an undercut's far rim is not the face's
