@@ -11,15 +11,18 @@ namespace weld
 {
 namespace
 {
-constexpr double kBin = 1e-4;          // [m]
-constexpr int kOutside = 30;           // bins outside of each toe
-constexpr double kReach = 2e-3;        // sections this near make the median [m]
-constexpr std::size_t kMost = 15;      // of them at most so many, evenly chosen
-constexpr double kSigmas = 6.0;        // of a parent's noise
-constexpr double kRippleSigmas = 3.0;  // of the face's departures: a sine has none beyond 1, told by its median
-constexpr double kLeastFace = 6e-5;    // ripples and blurred kinks depart by less [m]
-constexpr double kLeastParent = 3e-5;  // [m]
-constexpr double kSlack = 0.05;        // per metre beyond the sections
+constexpr double kBin = 1e-4;              // [m]
+constexpr int kOutside = 30;               // bins outside of each toe
+constexpr double kReach = 2e-3;            // sections this near make the median [m]
+constexpr std::size_t kMost = 15;          // of them at most so many, evenly chosen
+constexpr double kSigmas = 6.0;            // of a parent's noise
+constexpr double kRippleSigmas = 3.0;      // of the face's departures: a sine has none beyond 1, told by its median
+constexpr double kLeastFace = 6e-5;        // ripples and blurred kinks depart by less [m]
+constexpr double kLeastParent = 3e-5;      // [m]
+constexpr double kAlong = 6e-4;            // by which a sloping surface may be met elsewhere along the weld [m]
+constexpr std::size_t kAlongSections = 3;  // its slope is taken from section to section so many off
+constexpr double kLevel = 0.1;             // ripples make slopes up to this
+constexpr double kTaper = 0.85;            // of a bead's height: lower at its end it is ending
 }  // namespace
 
 SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zones_(sections)
@@ -42,70 +45,30 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   for (std::size_t k = 0; k < sections.size(); ++k)
     sampleSection(k, rises);
   fillMedians(rises);
+  findTapers();
 }
 
-SeamZones::SeamZones(const SeamSections& sections) : sections_(sections)
+/// At a scan's ends a bead goes on as high as it is; where it is lower it is ending.
+void SeamSurface::findTapers()
 {
-  const std::vector<double>& places = sections.places();
-  if (places.size() < 2)
-    return;
-  begin_ = places.front();
-  const double step = (places.back() - begin_) / static_cast<double>(places.size() - 1);
-  per_metre_ = 1.0 / step;
-  std::size_t k = 0;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  std::vector<double> crests;
+  for (std::size_t k = 0; k < sections_.size(); ++k)
   {
-    while (k + 1 < places.size() && places[k] < begin_ + static_cast<double>(i) * step)
-      ++k;
-    first_.push_back(k);
+    double top = 0.0;
+    for (int bin = kOutside; bin <= kOutside + inside_; ++bin)
+      top = std::max(top, rise(k, bin));
+    crests.push_back(top);
   }
-}
-
-std::size_t SeamZones::nearestSection(double s) const
-{
-  const std::vector<double>& places = sections_.places();
-  if (!(s > begin_) || first_.empty())
-    return 0;
-  const auto step =
-      static_cast<std::size_t>(std::min((s - begin_) * per_metre_, static_cast<double>(first_.size() - 1)));
-  std::size_t k = first_[step];
-  while (k > 0 && places[k - 1] >= s)
-    --k;
-  while (k < places.size() && places[k] < s)
-    ++k;
-  return k == places.size() || (k > 0 && s - places[k - 1] < places[k] - s) ? k - 1 : k;
-}
-
-Zone SeamZones::zone(std::size_t k, double q) const
-{
-  const SectionShape& shape = sections_.shape(k);
-  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
-  if (q < left)
-    return shape.left.valid() ? Zone::LeftParent : Zone::Nowhere;
-  if (q > right)
-    return shape.right.valid() ? Zone::RightParent : Zone::Nowhere;
-  return left < right && shape.left.valid() && shape.right.valid() ? Zone::Weld : Zone::Nowhere;
-}
-
-double SeamZones::flush(std::size_t k, double q) const
-{
-  const SectionShape& shape = sections_.shape(k);
-  switch (zone(k, q))
-  {
-    case Zone::LeftParent:
-      return shape.left.line.at(q);
-    case Zone::RightParent:
-      return shape.right.line.at(q);
-    case Zone::Weld:
-    {
-      const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
-      const double share = (q - left) / (right - left);
-      return (1.0 - share) * shape.left.line.at(left) + share * shape.right.line.at(right);
-    }
-    case Zone::Nowhere:
-      break;
-  }
-  return kNaN;
+  const double low = kTaper * median(crests);
+  std::size_t first = 0, last = crests.size();
+  while (first < last && !(crests[first] >= low))
+    ++first;
+  while (last > first && !(crests[last - 1] >= low))
+    --last;
+  if (first > 0 && first < crests.size())
+    first_ = sections_.places()[first];
+  if (last > 0 && last < crests.size())
+    last_ = sections_.places()[last - 1];
 }
 
 double SeamSurface::binOf(std::size_t k, double q) const
@@ -205,10 +168,22 @@ double SeamSurface::departure(std::size_t k, double q, double z) const
   return z - zones_.flush(k, q) - (bin >= 0.0 ? rise(k, bin) : 0.0);
 }
 
-double SeamZones::slack(double s) const
+double SeamSurface::alongSlack(std::size_t k, const PathPlace& place) const
 {
-  const std::vector<double>& places = sections_.places();
-  return kSlack * std::max(0.0, std::max(places.front() - s, s - places.back()));
+  // where a bead ends and its toes close in, what lies between them is not known
+  if ((place.s < first_ || place.s > last_) && onFace(k, place.q))
+    return INFINITY;
+  const double bin = binOf(k, place.q);
+  const std::size_t before = k - std::min(k, kAlongSections),
+                    after = std::min(k + kAlongSections, sections_.size() - 1);
+  if (bin < 0.0 || before == after)
+    return 0.0;
+  const auto at = static_cast<std::size_t>(std::lround(bin));
+  const auto median = [&](std::size_t section)
+  { return static_cast<double>(medians_[section * static_cast<std::size_t>(bins_) + at]); };
+  const double slope =
+      std::abs(median(after) - median(before)) / (sections_.places()[after] - sections_.places()[before]);
+  return std::isfinite(slope) ? kAlong * std::max(0.0, slope - kLevel) : 0.0;
 }
 
 double SeamSurface::tolerance(std::size_t k, const PathPlace& place) const
@@ -216,7 +191,7 @@ double SeamSurface::tolerance(std::size_t k, const PathPlace& place) const
   const double bin = binOf(k, place.q);
   const double known =
       bin >= 0.0 ? static_cast<double>(tolerances_[static_cast<std::size_t>(std::lround(bin))]) : parent_tolerance_;
-  return known + zones_.slack(place.s);
+  return known + zones_.slack(place.s) + alongSlack(k, place);
 }
 }  // namespace weld
 }  // namespace weld_profiler

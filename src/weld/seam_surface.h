@@ -1,45 +1,15 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "seam_sections.h"
+#include "seam_zones.h"
 
 namespace weld_profiler
 {
 namespace weld
 {
-/// Where a place lies across the weld.
-enum class Zone
-{
-  LeftParent,
-  Weld,
-  RightParent,
-  Nowhere  ///< nothing is known there: a parent or a toe was not found
-};
-
-/// Which part of the weld lies where, and what lies flush there.
-class SeamZones
-{
-public:
-  /// @param sections  must outlive the zones.
-  explicit SeamZones(const SeamSections& sections);
-
-  std::size_t nearestSection(double s) const;
-  Zone zone(std::size_t k, double q) const;
-
-  /// Parent lines, and the chord of the toes between them; NaN where nothing is known [m].
-  double flush(std::size_t k, double q) const;
-
-  /// What more is let pass at s: nothing between the first section and the last [m].
-  double slack(double s) const;
-
-private:
-  const SeamSections& sections_;
-  double begin_ = 0.0;
-  double per_metre_ = 1.0;          ///< steps
-  std::vector<std::size_t> first_;  ///< of each equal step along the weld, the first section not before it
-};
-
 /// The surface along a weld as its sections show it in the median: what single points are held against.
 class SeamSurface
 {
@@ -54,6 +24,10 @@ public:
   /// How far z lies above the median of the neighbouring sections at this place; NaN where nothing is known [m].
   double departure(std::size_t k, double q, double z) const;
 
+  /// What more is let pass where the surface rises or falls along the weld, as at its ends; beyond the
+  /// places where it tapers to its end anything [m].
+  double alongSlack(std::size_t k, const PathPlace& place) const;
+
   /// Departures beyond this are no part of the surface; more is let pass where no section lies [m].
   double tolerance(std::size_t k, const PathPlace& place) const;
 
@@ -64,6 +38,7 @@ private:
   double rise(std::size_t k, double bin) const;
   void sampleSection(std::size_t k, std::vector<float>& rises) const;
   void fillMedians(const std::vector<float>& rises);
+  void findTapers();
 
   const SeamSections& sections_;
   SeamZones zones_;
@@ -72,6 +47,7 @@ private:
   std::vector<float> medians_;     ///< sections x bins, above flush
   std::vector<float> tolerances_;  ///< one a bin
   double parent_tolerance_ = 0.0;
+  double first_ = -INFINITY, last_ = INFINITY;  ///< s from where to where the bead does not taper
 };
 }  // namespace weld
 }  // namespace weld_profiler

@@ -94,8 +94,11 @@ private:
       if (std::abs(result_.height[i]) < kLeast || !onFace(i))
         continue;
       const double above = aboveNeighbours(i);
-      if (std::isfinite(above))
-        result_.tolerances[i] = static_cast<float>(above / tolerance);
+      if (!std::isfinite(above))
+        continue;
+      const PathPlace place = sampler_.place(i);
+      const double slack = surface_.alongSlack(surface_.nearestSection(place.s), place);
+      result_.tolerances[i] = static_cast<float>(above / (tolerance + slack));
     }
   }
 
