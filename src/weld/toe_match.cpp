@@ -23,6 +23,25 @@ bool seen(const SectionPoint& point)
   return std::isfinite(point.x.value) && std::isfinite(point.y.value) && std::isfinite(point.z.value);
 }
 
+/// A turn that is still to be told makes a line of the distances: their scatter is that about it.
+double scatterAboutLine(const std::vector<MotionObservation>& observations)
+{
+  double count = 0.0, mean = 0.0, distance = 0.0;
+  for (const MotionObservation& one : observations)
+    count += 1.0, mean += one.shape.y(), distance += one.distance;
+  mean /= count, distance /= count;
+  double square_sum = 1e-12, product = 0.0;
+  for (const MotionObservation& one : observations)
+  {
+    square_sum += square(one.shape.y() - mean);
+    product += (one.shape.y() - mean) * (one.distance - distance);
+  }
+  std::vector<double> scatter;
+  for (const MotionObservation& one : observations)
+    scatter.push_back(one.distance - distance - product / square_sum * (one.shape.y() - mean));
+  return robustSigma(std::move(scatter));
+}
+
 Eigen::Vector3d placeOf(const SectionPoint& point)
 {
   return { point.x.value, point.y.value, point.z.value };
@@ -61,7 +80,6 @@ bool ToeMatch::stationAt(double s, Station& station) const
 std::vector<MotionObservation> ToeMatch::observe(const Eigen::Isometry3d& motion, const Eigen::Vector3d& about) const
 {
   std::vector<MotionObservation> observations;
-  std::vector<double> distances;
   double near_s = stations_.empty() ? 0.0 : stations_.front().s;
   std::size_t compared = 0;
   for (const Pair& pair : pairs_)
@@ -83,16 +101,12 @@ std::vector<MotionObservation> ToeMatch::observe(const Eigen::Isometry3d& motion
     one.distance = 0.5 * (left_off + right_off);
     one.common = CommonError::Toes;
     one.shape = { 1.0, (middle - about).head<2>().dot(along) / kCommonLength, 0.0 };
-    distances.push_back(one.distance);
     observations.push_back(one);
   }
   if (observations.size() < kLeastCount ||
       static_cast<double>(observations.size()) < kLeastShare * static_cast<double>(compared))
     return {};
-  const double usual = median(distances);
-  for (double& distance : distances)
-    distance -= usual;
-  const double sigma = kAlike * std::max(kLeastSigma, robustSigma(distances));
+  const double sigma = kAlike * std::max(kLeastSigma, scatterAboutLine(observations));
   for (MotionObservation& one : observations)
     one.sigma = sigma;
   return observations;
