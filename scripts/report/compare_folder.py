@@ -14,10 +14,10 @@ MAPS = ("after", "removed", "remaining")
 class CompareFolder:
     """A comparison of two scans. Maps are grids [mm]; None without a point."""
 
-    def __init__(self, path):
+    def __init__(self, path, named=None):
         if not os.path.isdir(path):
             raise ReportError("%s: is no folder, give the folder that holds compare.json" % path)
-        self.path = path
+        self.path, self.named = path, named or path
         self.record = read_json(os.path.join(path, "compare.json"), COMPARE)
         limit = self.record.number("over_ground_limit")
         self.limit = 1e3 * limit if np.isfinite(limit) else 0.05

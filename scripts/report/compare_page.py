@@ -36,7 +36,7 @@ def volumes(folder):
     record = folder.record
     rows = [(name, with_uncertainty(*[1e9 * number for number in record.quantity(key)], unit="mm³"))
             for key, name in (("removed_volume", "removed"), ("remaining_volume", "remaining above the target"))]
-    rows.append(("share of the scan compared", fixed(100 * record.number("measured_share"), 1, "%")))
+    rows.append(("share of the weld compared", fixed(100 * record.number("measured_share"), 1, "%")))
     return rows
 
 
@@ -86,7 +86,7 @@ def compare_page(folder):
     calibration = record.record("calibration")
     origin = [("before", record.text("before") or NONE), ("after", record.text("after") or NONE),
               ("calibration", "%s (%s)" % (calibration.text("file") or NONE, calibration.text("hash") or "no hash")),
-              ("software", software(record)), ("folder", os.path.abspath(folder.path))]
+              ("software", software(record)), ("folder", os.path.abspath(folder.named))]
     parts += [tag("h2", "What could not be compared, and why"),
               tag("ul", *[tag("li", note) for note in notes]) if notes else tag("p", "Nothing was left out."),
               tag("h2", "How the scans were aligned"), html.facts(alignment(folder)), tag("h2", "Origin"), html.facts(origin),
