@@ -5,6 +5,7 @@
 
 #include "compared_scans.h"
 #include "ground_metal.h"
+#include "over_ground.h"
 #include "scan_aligner.h"
 #include "scan_facets.h"
 #include "statistics.h"
