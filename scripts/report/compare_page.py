@@ -9,11 +9,11 @@ from report.numbers import NONE, fixed, with_uncertainty
 from report.overview import HEIGHT, INNER, MARGIN, WIDTH, page_axes, rule, shortened, write
 from report.software import software
 
-MAPS = ("Seen from above. Remaining: blue = still above the target, red and checked = over-ground, grey = not known. Numbers: the "
-        "over-ground places of the table.")
+MAPS = ("Seen from above. Remaining: blue = still above the target, red = below it (also an undercut that was there before), "
+        "checked = over-ground, grey = not known. Numbers: the over-ground places of the table.")
 PROFILES = "Rows of the scan at 20, 50 and 80 % of its length; heights larger than true to scale."
-ALONG = ("Area of each cross-section (what is below the target counts as negative), and its lowest place over the target (means "
-         "over 3 × 3 cells of the map).")
+ALONG = ("Area of each cross-section (what is below the target counts as negative), and how far below the target it was ground: its "
+         "lowest place (means over 3 × 3 cells of the map); what lay as low before grinding, an undercut, does not count.")
 
 
 def result(folder):

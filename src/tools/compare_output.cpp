@@ -143,7 +143,8 @@ void writeComparison(const CompareRecord& record, bool report, const std::string
                   { "z", places.z },
                   { "after", comparison.after },
                   { "removed", comparison.removed },
-                  { "remaining", comparison.remaining } },
+                  { "remaining", comparison.remaining },
+                  { "spot", comparison.spot } },
                 comparison.cells, (work / "difference.pcd").string());
   if (report)
     writeCompareReport(work.string(), directory);

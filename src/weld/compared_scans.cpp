@@ -70,8 +70,7 @@ CompareBins::CompareBins(const ComparedScans& scans)
   {
     if (!scans.known(i) || !std::isfinite(scans.maps.target[i]))
       continue;
-    const std::size_t bin = index(static_cast<int>((static_cast<double>(grid.y[i]) - near_) / size_),
-                                  static_cast<int>((static_cast<double>(grid.x[i]) - left_) / size_));
+    const std::size_t bin = index(rowOf(static_cast<double>(grid.y[i])), columnOf(static_cast<double>(grid.x[i])));
     add(scans, i, static_cast<int>(i / static_cast<std::size_t>(grid.cells)), bins_[bin], last_rows[bin]);
   }
   for (Bin& bin : bins_)

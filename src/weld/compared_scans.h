@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -57,6 +58,10 @@ public:
   int rows() const { return rows_; }
   double size() const { return size_; }
   const Bin& at(int row, int column) const { return bins_[index(row, column)]; }
+
+  /// Row and column of the bin that a place lies in, inside of all known points.
+  int rowOf(double y) const { return std::clamp(static_cast<int>((y - near_) / size_), 0, rows_ - 1); }
+  int columnOf(double x) const { return std::clamp(static_cast<int>((x - left_) / size_), 0, columns_ - 1); }
 
   /// Variance of a bin's height above the target [m^2]: noise, and how the scans lie on each other.
   double variance(const ComparedScans& scans, int row, int column) const;

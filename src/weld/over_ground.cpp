@@ -84,8 +84,33 @@ double leastDepth(const ComparedScans& scans, const CompareBins& bins, const Bin
   return std::max(limit, kSure * std::sqrt(bins.variance(scans, place.row, place.column)));
 }
 
-void deepen(const CompareBins::Bin& bin, double variance, OverGroundSpot& spot)
+/// Bins that were ground too deep: 1.
+cv::Mat1b deepBins(const ComparedScans& scans, const CompareBins& bins, double limit)
 {
+  const ChangedBins changed(scans, bins);
+  cv::Mat1b deep(bins.rows(), bins.columns(), std::uint8_t{ 0 });
+  for (int row = 0; row < bins.rows(); ++row)
+  {
+    for (int column = 0; column < bins.columns(); ++column)
+    {
+      const double least = leastDepth(scans, bins, { row, column }, limit);
+      if (-bins.at(row, column).above > least && changed.taken(row, column) > least)
+        deep(row, column) = 1;
+    }
+  }
+  return deep;
+}
+
+/// Bins that hang together.
+struct Piece
+{
+  OverGroundSpot spot;
+  int number = 0;
+};
+
+void deepen(const CompareBins::Bin& bin, double variance, Piece& piece)
+{
+  OverGroundSpot& spot = piece.spot;
   if (!(spot.depth.value > -bin.above))
   {
     spot.x = bin.x, spot.y = bin.y;
@@ -95,38 +120,42 @@ void deepen(const CompareBins::Bin& bin, double variance, OverGroundSpot& spot)
 }
 }  // namespace
 
-std::vector<OverGroundSpot> overGround(const ComparedScans& scans, const CompareBins& bins, const PathFrame& path,
-                                       const CompareParams& params)
+OverGround overGround(const ComparedScans& scans, const CompareBins& bins, const PathFrame& path,
+                      const CompareParams& params)
 {
-  std::vector<OverGroundSpot> spots;
+  OverGround ground;
+  ground.of.assign(scans.grid.z.size(), 0);
   if (bins.rows() == 0)
-    return spots;
-  const ChangedBins changed(scans, bins);
-  cv::Mat1b deep(bins.rows(), bins.columns(), std::uint8_t{ 0 });
-  for (int row = 0; row < bins.rows(); ++row)
-  {
-    for (int column = 0; column < bins.columns(); ++column)
-    {
-      const double least = leastDepth(scans, bins, { row, column }, params.over_ground_limit);
-      if (-bins.at(row, column).above > least && changed.taken(row, column) > least)
-        deep(row, column) = 1;
-    }
-  }
+    return ground;
   cv::Mat1i pieces;
-  spots.resize(static_cast<std::size_t>(cv::connectedComponents(deep, pieces, 8, CV_32S)) - 1);
+  const int count = cv::connectedComponents(deepBins(scans, bins, params.over_ground_limit), pieces, 8, CV_32S);
+  std::vector<Piece> found(static_cast<std::size_t>(count));  // the first is what is no piece
   for (int row = 0; row < bins.rows(); ++row)
     for (int column = 0; column < bins.columns(); ++column)
       if (pieces(row, column) > 0)
         deepen(bins.at(row, column), bins.variance(scans, row, column),
-               spots[static_cast<std::size_t>(pieces(row, column)) - 1]);
-  spots.erase(std::remove_if(spots.begin(), spots.end(),
-                             [&](const OverGroundSpot& spot) { return spot.area < params.min_spot_area; }),
-              spots.end());
-  for (OverGroundSpot& spot : spots)
-    spot.s = path.locate(spot.x, spot.y, 0.0).s;
-  std::stable_sort(spots.begin(), spots.end(),
-                   [](const OverGroundSpot& a, const OverGroundSpot& b) { return a.depth.value > b.depth.value; });
-  return spots;
+               found[static_cast<std::size_t>(pieces(row, column))]);
+  for (int i = 0; i < count; ++i)
+    found[static_cast<std::size_t>(i)].number = i;
+  found.erase(found.begin());
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [&](const Piece& piece) { return piece.spot.area < params.min_spot_area; }),
+              found.end());
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Piece& a, const Piece& b) { return a.spot.depth.value > b.spot.depth.value; });
+  std::vector<std::uint16_t> rank(static_cast<std::size_t>(count), 0);
+  for (Piece& piece : found)
+  {
+    piece.spot.s = path.locate(piece.spot.x, piece.spot.y, 0.0).s;
+    ground.spots.push_back(piece.spot);
+    rank[static_cast<std::size_t>(piece.number)] =
+        static_cast<std::uint16_t>(std::min<std::size_t>(ground.spots.size(), UINT16_MAX));
+  }
+  for (std::size_t i = 0; i < ground.of.size(); ++i)
+    if (scans.known(i) && std::isfinite(scans.maps.target[i]))
+      ground.of[i] = rank[static_cast<std::size_t>(pieces(bins.rowOf(static_cast<double>(scans.grid.y[i])),
+                                                          bins.columnOf(static_cast<double>(scans.grid.x[i]))))];
+  return ground;
 }
 
 ComparedAreas comparedAreas(const ComparedScans& scans, const CompareBins& bins, double limit)

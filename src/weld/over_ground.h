@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "compared_scans.h"
@@ -9,9 +10,16 @@ namespace weld_profiler
 {
 namespace weld
 {
-/// Places that lie below the target and below the surface before by more than the limit and 3 sigma. Deepest first.
-std::vector<OverGroundSpot> overGround(const ComparedScans& scans, const CompareBins& bins, const PathFrame& path,
-                                       const CompareParams& params);
+/// Places that were ground too deep, and which of the points of the scan before lie in them.
+struct OverGround
+{
+  std::vector<OverGroundSpot> spots;  ///< deepest first
+  std::vector<std::uint16_t> of;      ///< one a point of the grid: number of its place from 1, 0 = none
+};
+
+/// Places that lie below the target and below the surface before by more than the limit and 3 sigma.
+OverGround overGround(const ComparedScans& scans, const CompareBins& bins, const PathFrame& path,
+                      const CompareParams& params);
 
 /// Areas that a reader must know of.
 struct ComparedAreas

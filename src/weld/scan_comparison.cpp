@@ -53,18 +53,16 @@ double medianWidth(const WeldResult& result)
 std::string told(const ScanAlignment& aligned, const CompareParams& params)
 {
   std::string given;
-  const auto add = [&given](bool is_told, const char* what)
+  const auto add = [&given](bool is_told, const std::string& what)
   {
     if (!is_told)
-      given += (given.empty() ? "" : ", ") + std::string(what);
+      given += (given.empty() ? "" : ", ") + what;
   };
-  add(aligned.across_told, "the shift across the weld");
-  add(aligned.along_told, "the shift along it");
-  add(aligned.turn_told, "the turn in the plates' plane");
-  if (given.empty())
-    return "";
-  return text("no surface tells ", given, ": taken as the scans lie, with 1 sigma ", 1e3 * params.placement, " mm and ",
-              params.placement_turn_deg, " deg");
+  const std::string shift = text(" (1 sigma ", 1e3 * params.placement, " mm)");
+  add(aligned.across_told, "the shift across the weld" + shift);
+  add(aligned.along_told, "the shift along the weld" + shift);
+  add(aligned.turn_told, text("the turn in the plates' plane (1 sigma ", params.placement_turn_deg, " deg)"));
+  return given.empty() ? "" : "taken as the scans lie, because no surface tells it: " + given;
 }
 
 class Comparing
@@ -93,10 +91,11 @@ public:
     comparison.aligned = scans_.aligned;
     comparison.removed_volume = removedVolume(scans_);
     comparison.remaining_volume = remainingVolume(scans_, bins, result_.removal_volume);
-    comparison.over_ground = overGround(scans_, bins, path_, params_);
+    const OverGround ground = overGround(scans_, bins, path_, params_);
+    comparison.over_ground = ground.spots;
     comparison.measured_share = areas.share;
     addNotes(areas, comparison);
-    fillMaps(comparison);
+    fillMaps(ground, comparison);
     return comparison;
   }
 
@@ -163,12 +162,12 @@ private:
       note("scan before: " + result_.reason);
   }
 
-  void fillMaps(ScanComparison& comparison) const
+  void fillMaps(const OverGround& ground, ScanComparison& comparison) const
   {
     comparison.rows = result_.rows;
     comparison.cells = result_.cells;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (std::vector<float>* map : { &comparison.after, &comparison.removed, &comparison.remaining })
+    for (std::vector<float>* map : { &comparison.after, &comparison.removed, &comparison.remaining, &comparison.spot })
       map->assign(static_cast<std::size_t>(result_.rows) * result_.cells, nan);
     for (int row = 0; row < grid_.rows; ++row)
     {
@@ -182,6 +181,8 @@ private:
         comparison.after[in_scan] = scans_.after[in_grid].z;
         comparison.removed[in_scan] = static_cast<float>(scans_.taken(in_grid));
         comparison.remaining[in_scan] = static_cast<float>(scans_.above(in_grid));
+        if (std::isfinite(comparison.remaining[in_scan]))
+          comparison.spot[in_scan] = static_cast<float>(ground.of[in_grid]);
       }
     }
   }

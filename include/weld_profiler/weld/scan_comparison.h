@@ -53,6 +53,7 @@ struct ScanComparison
   std::vector<float> after;      ///< z after, NaN = not measured [m]
   std::vector<float> removed;    ///< z before less z after [m]
   std::vector<float> remaining;  ///< z after less the target [m]
+  std::vector<float> spot;       ///< 0 = not over-ground, else the place's number from 1; NaN as remaining
 };
 
 /// Compares scans of a weld before and after grinding, after the definitions of docs/compare.md. Immutable, thread
