@@ -1,9 +1,13 @@
 #include "weld_profiler/scan/scan_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <sstream>
+#include <vector>
 
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
@@ -15,7 +19,7 @@ namespace weld_profiler
 namespace
 {
 constexpr float kSigma = 1e-5F;          // of a point that tells none [m]
-constexpr std::size_t kMost = 1U << 28;  // points
+constexpr std::size_t kMost = 1U << 26;  // points
 constexpr double kNanoseconds = 1e9;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& cause)
@@ -36,38 +40,103 @@ private:
   pcl::console::VERBOSITY_LEVEL level_;
 };
 
+/// Header of a PCD file, as far as it must be right before PCL may read the rest: PCL trusts it.
+struct Header
+{
+  std::size_t fields = 0, width = 0, height = 0, points = 0;
+  std::size_t point_bytes = 0;
+  std::string form;  ///< DATA
+  std::size_t begin = 0;
+};
+
+std::size_t sumOfProducts(const std::vector<std::size_t>& sizes, const std::vector<std::size_t>& counts)
+{
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    sum += sizes[i] * (i < counts.size() ? counts[i] : 1);
+  return sum;
+}
+
+/// What could not be read stays 0 or empty.
+Header readHeader(const std::string& path)
+{
+  constexpr std::size_t kLongest = 65536;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(kLongest, '\0');
+  file.read(&text[0], static_cast<std::streamsize>(kLongest));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  Header header;
+  std::vector<std::size_t> sizes, counts;
+  std::size_t at = 0;
+  while (header.form.empty() && at < text.size())
+  {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::istringstream line(text.substr(at, end - at));
+    at = end + 1;
+    std::string key, word;
+    line >> key;
+    const auto numbers = [&line](std::vector<std::size_t>& values)
+    {
+      for (std::size_t value = 0; line >> value && value < kLongest;)
+        values.push_back(value);
+    };
+    if (key == "FIELDS")
+      while (line >> word)
+        ++header.fields;
+    else if (key == "SIZE")
+      numbers(sizes);
+    else if (key == "COUNT")
+      numbers(counts);
+    else if (key == "WIDTH")
+      line >> header.width;
+    else if (key == "HEIGHT")
+      line >> header.height;
+    else if (key == "POINTS")
+      line >> header.points;
+    else if (key == "DATA")
+      line >> header.form;
+  }
+  header.begin = at;
+  header.point_bytes = sizes.size() == header.fields ? sumOfProducts(sizes, counts) : 0;
+  return header;
+}
+
+void checkHeader(const std::string& path)
+{
+  const Header header = readHeader(path);
+  const bool known = header.form == "ascii" || header.form == "binary" || header.form == "binary_compressed";
+  if (!known || header.fields == 0 || header.point_bytes == 0 || header.width == 0 || header.height == 0)
+    refuse(path, "is no PCD file, or its header is damaged");
+  if (header.width > kMost || header.height > kMost || header.points != header.width * header.height ||
+      header.points > kMost)
+    refuse(path, "its header is damaged or it has too many points (" + std::to_string(header.points) + " of " +
+                     std::to_string(header.width) + " x " + std::to_string(header.height) + ")");
+  const std::size_t least = header.form == "binary"  ? header.points * header.point_bytes
+                            : header.form == "ascii" ? 2 * header.points * header.fields - 1
+                                                     : 8;
+  if (header.begin + least > std::filesystem::file_size(path))
+    refuse(path, "ends before its " + std::to_string(header.points) + " points do");
+}
+
 pcl::PCLPointCloud2 readCloud(const std::string& path)
 {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     refuse(path, std::filesystem::exists(path, error) ? "is no file" : "cannot be read: no such file");
+  checkHeader(path);
   const QuietPcl quiet;
   pcl::PCLPointCloud2 cloud;
+  int status = -1;
   try
   {
-    pcl::PCDReader reader;
-    Eigen::Vector4f origin;
-    Eigen::Quaternionf orientation;
-    int version = 0, form = 0;
-    unsigned int begin = 0;
-    if (reader.readHeader(path, cloud, origin, orientation, version, form, begin) < 0)
-      refuse(path, "is no PCD file or cannot be read");
-    const std::size_t points = static_cast<std::size_t>(cloud.width) * cloud.height;
-    const std::size_t least = form == 1 ? points * cloud.point_step : form == 0 ? 2 * points : 0;  // 0 ascii, 1 binary
-    if (points > kMost || begin + least > std::filesystem::file_size(path) + 1)
-      refuse(path, "ends before its " + std::to_string(points) + " points do");
-    cloud = pcl::PCLPointCloud2();
-    if (reader.read(path, cloud) < 0)
-      refuse(path, "is damaged");
-  }
-  catch (const Error&)
-  {
-    throw;
+    status = pcl::PCDReader().read(path, cloud);
   }
   catch (const std::exception& problem)
   {
     refuse(path, std::string("is damaged: ") + problem.what());
   }
+  if (status < 0 || cloud.data.size() != static_cast<std::size_t>(cloud.width) * cloud.height * cloud.point_step)
+    refuse(path, "is damaged");
   return cloud;
 }
 
