@@ -94,6 +94,7 @@ void CompareBins::add(const ComparedScans& scans, std::size_t i, int row, Bin& b
   ++bin.points;
   bin.rows += row != last_row ? 1 : 0;
   last_row = row;
+  bin.spatter = bin.spatter || scans.maps.labels[i] == static_cast<std::uint8_t>(WeldLabel::Spatter);
   bin.area += area;
   bin.x += area * static_cast<double>(grid.x[i]);
   bin.y += area * static_cast<double>(grid.y[i]);

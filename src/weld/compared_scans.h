@@ -47,6 +47,7 @@ public:
   struct Bin
   {
     int points = 0, rows = 0;
+    bool spatter = false;                                        ///< before
     double area = 0.0;                                           ///< common [m^2]
     double x = 0.0, y = 0.0, z = 0.0, above = 0.0, taken = 0.0;  ///< means over the area
     double target = 0.0;                                         ///< mean [m]

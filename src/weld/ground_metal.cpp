@@ -11,7 +11,7 @@ namespace weld
 namespace
 {
 constexpr double kBelow = 2.0;        // sigmas, of a bin that counts no remains
-constexpr double kSystematic = 1e-6;  // of a surface's height over the whole weld, against the parents [m]
+constexpr double kSystematic = 6e-7;  // of a surface's height over the whole weld, against the parents [m]
 
 /// Sums up a volume with its uncertainty.
 class VolumeSum

@@ -19,7 +19,7 @@ using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
 using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
 // what is left of the profiler's systematic errors on a parent, and of a toe's place
-constexpr std::array<double, kCommonErrors> kCommonSigma = { { 1e-6, 1e-6, 2e-5 } };  // [m]
+constexpr std::array<double, kCommonErrors> kCommonSigma = { { 6e-7, 6e-7, 2e-5 } };  // [m]
 constexpr double kFloor = 5e-7;                                                       // of the scatter [m]
 constexpr int kAbsoluteSteps = 25, kTukeySteps = 15;
 

@@ -17,6 +17,7 @@ namespace
 {
 constexpr double kSure = 3.0;       // sigmas, of a depth
 constexpr double kElsewhere = 2.0;  // sigmas of where a place was before
+constexpr double kSpatter = 1e-3;   // balls of spatter are seldom larger [m]
 
 /// What became of a bin.
 class ChangedBins
@@ -40,7 +41,10 @@ private:
   std::pair<double, double> before(int row, int column) const
   {
     const CompareBins::Bin& bin = bins_.at(row, column);
-    const Eigen::Matrix2d covariance = displacement({ bin.x, bin.y, bin.z }), inverse = covariance.inverse();
+    // what lay under spatter was not seen: the metal around it tells
+    const double unseen = atSpatter(row, column) ? square(kSpatter / kElsewhere) : 0.0;
+    const Eigen::Matrix2d covariance = displacement({ bin.x, bin.y, bin.z }) + unseen * Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d inverse = covariance.inverse();
     const int steps = static_cast<int>(kElsewhere * std::sqrt(covariance.trace()) / bins_.size()) + 1;
     std::pair<double, double> range(bin.above + bin.taken, bin.above + bin.taken);
     for (int r = std::max(0, row - steps); r <= std::min(bins_.rows() - 1, row + steps); ++r)
@@ -56,6 +60,16 @@ private:
       }
     }
     return range;
+  }
+
+  /// The foot of a ball blends into what it lies on, so the bins around count too.
+  bool atSpatter(int row, int column) const
+  {
+    for (int r = std::max(0, row - 1); r <= std::min(bins_.rows() - 1, row + 1); ++r)
+      for (int c = std::max(0, column - 1); c <= std::min(bins_.columns() - 1, column + 1); ++c)
+        if (bins_.at(r, c).spatter)
+          return true;
+    return false;
   }
 
   /// Covariance of where a place of the scan after lies in the scan before, seen from above.

@@ -37,6 +37,7 @@ double scatterAboutLine(const std::vector<MotionObservation>& observations)
     product += (one.shape.y() - mean) * (one.distance - distance);
   }
   std::vector<double> scatter;
+  scatter.reserve(observations.size());
   for (const MotionObservation& one : observations)
     scatter.push_back(one.distance - distance - product / square_sum * (one.shape.y() - mean));
   return robustSigma(std::move(scatter));

@@ -112,6 +112,33 @@ TEST(OverGround, AnUndercutThatWasThereBeforeIsNone)
   EXPECT_EQ(ground.compared({ dip }, Eigen::Isometry3d::Identity(), clamped).over_ground.size(), 1u);
 }
 
+TEST(OverGround, SpatterThatCameOffAnUndercutLeavesNone)
+{
+  IdealWeld weld;
+  weld.undercut = 0.0003;
+  const auto spattered = [&weld](double x, double y)
+  {
+    double z = weld(x, y);
+    for (const double ball_x : { 0.0045, 0.010 })
+    {
+      const double rest = 1.6e-7 - std::pow(x - ball_x, 2.0) - std::pow(y - 0.006, 2.0);
+      z = rest > 0.0 ? std::max(z, std::sqrt(rest) - 1e-4) : z;
+    }
+    return z;
+  };
+  const Scan before = IdealScanner()(spattered);
+  weld.height = 1e-9;
+  CompareParams clamped;
+  clamped.placement = 2e-5, clamped.placement_turn_deg = 0.02;
+  const ScanComparer comparer(WeldParams(), clamped);
+  const ScanComparison clean = comparer.compare(before, longerScanner(33)(weld));
+  EXPECT_TRUE(clean.over_ground.empty());
+  const Dip gouge{ 0.010, 0.006, 0.0004, 1.5e-4 };
+  const auto deeper = [&](double x, double y) { return weld(x, y) - gouge(x, y); };
+  EXPECT_EQ(comparer.compare(before, longerScanner(33)(deeper)).over_ground.size(), 1u)
+      << "under the ball on the plate";
+}
+
 TEST(OverGround, NoiseIsNoGouge)
 {
   IdealWeld weld;
