@@ -103,9 +103,9 @@ void runAll(const Options& options)
   placements.push_back({ "as it lies", Eigen::Isometry3d::Identity(), {}, {} });
   placements.push_back(
       { "shifted and turned", motionAbout({ 0.0, 0.01, 0.0 }, { 3e-4, -4e-4, 1.2e-3 }, { 1.0, -0.8, 0.3 }), {}, {} });
-  for (int i = 0; i < options.welds; ++i)
+  const auto first = static_cast<std::uint64_t>(options.first), welds = static_cast<std::uint64_t>(options.welds);
+  for (std::uint64_t seed = first; seed < first + welds; ++seed)
   {
-    const auto seed = static_cast<std::uint64_t>(options.first + i);
     const GroundCase weld(seed, restOf(seed));
     for (Placement& placement : placements)
       compare(weld, seed, placement);
