@@ -65,13 +65,12 @@ CompareBins::CompareBins(const ComparedScans& scans)
   columns_ = static_cast<int>((right - left_) / size_) + 1;
   rows_ = static_cast<int>((far - near_) / size_) + 1;
   bins_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-  std::vector<int> last_rows(bins_.size(), -1);
   for (std::size_t i = 0; i < grid.z.size(); ++i)
   {
     if (!scans.known(i) || !std::isfinite(scans.maps.target[i]))
       continue;
     const std::size_t bin = index(rowOf(static_cast<double>(grid.y[i])), columnOf(static_cast<double>(grid.x[i])));
-    add(scans, i, static_cast<int>(i / static_cast<std::size_t>(grid.cells)), bins_[bin], last_rows[bin]);
+    add(scans, i, bins_[bin]);
   }
   for (Bin& bin : bins_)
   {
@@ -87,13 +86,14 @@ CompareBins::CompareBins(const ComparedScans& scans)
   }
 }
 
-void CompareBins::add(const ComparedScans& scans, std::size_t i, int row, Bin& bin, int& last_row) const
+void CompareBins::add(const ComparedScans& scans, std::size_t i, Bin& bin)
 {
   const ScanGrid& grid = scans.grid;
   const auto area = static_cast<double>(scans.common_area[i]);
   ++bin.points;
-  bin.rows += row != last_row ? 1 : 0;
-  last_row = row;
+  const int row = static_cast<int>(i / static_cast<std::size_t>(grid.cells));
+  bin.rows += row != bin.last_row ? 1 : 0;
+  bin.last_row = row;
   bin.spatter = bin.spatter || scans.maps.labels[i] == static_cast<std::uint8_t>(WeldLabel::Spatter);
   bin.area += area;
   bin.x += area * static_cast<double>(grid.x[i]);

@@ -47,6 +47,7 @@ public:
   struct Bin
   {
     int points = 0, rows = 0;
+    int last_row = -1;                                           ///< of the grid
     bool spatter = false;                                        ///< before
     double area = 0.0;                                           ///< common [m^2]
     double x = 0.0, y = 0.0, z = 0.0, above = 0.0, taken = 0.0;  ///< means over the area
@@ -72,7 +73,7 @@ private:
   {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
-  void add(const ComparedScans& scans, std::size_t i, int row, Bin& bin, int& last_row) const;
+  static void add(const ComparedScans& scans, std::size_t i, Bin& bin);
   double slope(int row, int column, bool along_x) const;
 
   int columns_ = 0, rows_ = 0;

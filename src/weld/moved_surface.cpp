@@ -24,9 +24,12 @@ struct Corner
 class Sampler
 {
 public:
-  Sampler(const ScanGrid& places, std::vector<SurfaceSample>& samples) : places_(places), samples_(samples) {}
+  Sampler(const PlaceBins& bins, std::vector<SurfaceSample>& samples)
+    : bins_(bins), places_(bins.grid()), samples_(samples)
+  {
+  }
 
-  void operator()(const Corner (&corners)[3], const PlaceBins& bins)
+  void operator()(const Corner (&corners)[3])
   {
     const Eigen::Vector3d &a = corners[0].place, &b = corners[1].place, &c = corners[2].place;
     const Eigen::Vector3d normal = (b - a).cross(c - a);
@@ -35,26 +38,27 @@ public:
     const auto x = std::minmax({ a.x(), b.x(), c.x() }), y = std::minmax({ a.y(), b.y(), c.y() });
     const float slope_x = static_cast<float>(-normal.x() / normal.z());
     const float slope_y = static_cast<float>(-normal.y() / normal.z());
-    bins.within(x.first, x.second, y.first, y.second,
-                [&](std::uint32_t i)
-                {
-                  const double px = static_cast<double>(places_.x[i]) - a.x();
-                  const double py = static_cast<double>(places_.y[i]) - a.y();
-                  const double wb = (px * (c.y() - a.y()) - py * (c.x() - a.x())) / normal.z();
-                  const double wc = (py * (b.x() - a.x()) - px * (b.y() - a.y())) / normal.z();
-                  const double wa = 1.0 - wb - wc;
-                  if (wa < kEdge || wb < kEdge || wc < kEdge)
-                    return;
-                  const auto z = static_cast<float>(wa * a.z() + wb * b.z() + wc * c.z());
-                  if (z <= samples_[i].z)
-                    return;
-                  const double variance = square(wa) * corners[0].variance + square(wb) * corners[1].variance +
-                                          square(wc) * corners[2].variance;
-                  samples_[i] = { z, static_cast<float>(variance), slope_x, slope_y };
-                });
+    bins_.within(x.first, x.second, y.first, y.second,
+                 [&](std::uint32_t i)
+                 {
+                   const double px = static_cast<double>(places_.x[i]) - a.x();
+                   const double py = static_cast<double>(places_.y[i]) - a.y();
+                   const double wb = (px * (c.y() - a.y()) - py * (c.x() - a.x())) / normal.z();
+                   const double wc = (py * (b.x() - a.x()) - px * (b.y() - a.y())) / normal.z();
+                   const double wa = 1.0 - wb - wc;
+                   if (wa < kEdge || wb < kEdge || wc < kEdge)
+                     return;
+                   const auto z = static_cast<float>(wa * a.z() + wb * b.z() + wc * c.z());
+                   if (z <= samples_[i].z)
+                     return;
+                   const double variance = square(wa) * corners[0].variance + square(wb) * corners[1].variance +
+                                           square(wc) * corners[2].variance;
+                   samples_[i] = { z, static_cast<float>(variance), slope_x, slope_y };
+                 });
   }
 
 private:
+  const PlaceBins& bins_;
   const ScanGrid& places_;
   std::vector<SurfaceSample>& samples_;
 };
@@ -65,7 +69,7 @@ double pointVariance(const ScanGrid& grid, std::size_t i)
   return square(std::max(kLeastSigma, static_cast<double>(grid.sigma[i])));
 }
 
-PlaceBins::PlaceBins(const ScanGrid& grid, const std::vector<std::uint8_t>& wanted)
+PlaceBins::PlaceBins(const ScanGrid& grid, const std::vector<std::uint8_t>& wanted) : grid_(grid)
 {
   const auto use = [&](std::size_t i) { return std::isfinite(grid.z[i]) && (wanted.empty() || wanted[i] != 0); };
   double right = -INFINITY, far = -INFINITY;
@@ -112,10 +116,10 @@ int PlaceBins::row(double y) const
   return static_cast<int>(std::clamp((y - near_) / size_, 0.0, static_cast<double>(rows_ - 1)));
 }
 
-void sampleSurface(const SurfaceView& surface, const Eigen::Isometry3d& motion, const ScanGrid& places,
-                   const PlaceBins& bins, std::vector<SurfaceSample>& samples)
+void sampleSurface(const SurfaceView& surface, const Eigen::Isometry3d& motion, const PlaceBins& places,
+                   std::vector<SurfaceSample>& samples)
 {
-  samples.assign(places.z.size(), SurfaceSample());
+  samples.assign(places.grid().z.size(), SurfaceSample());
   const ScanGrid& grid = surface.grid;
   Sampler sampler(places, samples);
   std::vector<Corner> moved(grid.z.size());
@@ -129,7 +133,7 @@ void sampleSurface(const SurfaceView& surface, const Eigen::Isometry3d& motion, 
   for (const Facet& facet : surface.facets)
   {
     const Corner corners[3] = { moved[facet.a], moved[facet.b], moved[facet.c] };
-    sampler(corners, bins);
+    sampler(corners);
   }
 }
 }  // namespace weld

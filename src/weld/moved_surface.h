@@ -12,12 +12,14 @@ namespace weld_profiler
 {
 namespace weld
 {
-/// Places of a grid, seen from above, to be found by where they lie.
+/// Places of a grid, seen from above, to be found by where they lie. The grid must outlive them.
 class PlaceBins
 {
 public:
   /// @param wanted  one a point of the grid, 0 = leave it out; empty = all that are measured.
   PlaceBins(const ScanGrid& grid, const std::vector<std::uint8_t>& wanted);
+
+  const ScanGrid& grid() const { return grid_; }
 
   /// Calls visit(index, x, y) for each place within a box (and a few around it).
   template <class Visit>
@@ -39,6 +41,7 @@ private:
   int column(double x) const;
   int row(double y) const;
 
+  const ScanGrid& grid_;
   double left_ = 0.0, near_ = 0.0, size_ = 1.0;  ///< [m]
   int columns_ = 1, rows_ = 1;
   std::vector<std::size_t> first_;  ///< of each bin, and one more
@@ -65,8 +68,8 @@ struct SurfaceView
 
 /// Heights of a moved surface over the places of another grid: linear within its facets, not known outside of them.
 /// Where two facets lie over each other the upper one counts, which is what a sensor sees.
-/// @param samples  one a point of `places`' grid.
-void sampleSurface(const SurfaceView& surface, const Eigen::Isometry3d& motion, const ScanGrid& places,
-                   const PlaceBins& bins, std::vector<SurfaceSample>& samples);
+/// @param samples  one a point of the places' grid.
+void sampleSurface(const SurfaceView& surface, const Eigen::Isometry3d& motion, const PlaceBins& places,
+                   std::vector<SurfaceSample>& samples);
 }  // namespace weld
 }  // namespace weld_profiler

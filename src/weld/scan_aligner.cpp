@@ -87,7 +87,7 @@ Matrix6d ScanAligner::knowledge() const
 
 std::vector<MotionObservation> ScanAligner::observe(const Eigen::Isometry3d& motion)
 {
-  sampleSurface(after_, motion, before_.grid, bins_, samples_);
+  sampleSurface(after_, motion, bins_, samples_);
   const Eigen::Vector3d across = before_.along.cross(up_);
   std::vector<MotionObservation> observations;
   used_.clear();

@@ -118,7 +118,7 @@ private:
     ScanAligner aligner(target, surface, toes, params_);
     scans_.aligned = aligner.align();
     scans_.noise = aligner.noise();
-    sampleSurface(surface, scans_.aligned.before_T_after, grid_, PlaceBins(grid_, {}), scans_.after);
+    sampleSurface(surface, scans_.aligned.before_T_after, PlaceBins(grid_, {}), scans_.after);
   }
 
   double halfWidth() const
