@@ -20,6 +20,7 @@ namespace weld_accuracy
 namespace
 {
 constexpr double kCubicMm = 1e9;
+constexpr double kLeastVolume = 1e-9;  // of less no share is told: it was ground flush [m^3]
 
 struct Options
 {
@@ -35,7 +36,8 @@ public:
   {
     const double error = told.value - truth;
     errors_.push_back(kCubicMm * std::abs(error));
-    shares_.push_back(truth > 0.0 ? 100.0 * std::abs(error) / truth : 0.0);
+    if (truth > kLeastVolume)
+      shares_.push_back(100.0 * std::abs(error) / truth);
     squares_ += std::pow(error / told.sigma, 2.0);
     worst_ = std::max(worst_, std::abs(error / told.sigma));
     good_ += std::abs(error) <= std::max(0.01 * truth, 5e-6 * weld.width() * weld.length()) ? 1 : 0;
@@ -46,10 +48,12 @@ public:
     std::sort(errors_.begin(), errors_.end());
     std::sort(shares_.begin(), shares_.end());
     const std::size_t middle = errors_.size() / 2;
+    const double share = shares_.empty() ? NAN : shares_[shares_.size() / 2];
+    const double worst = shares_.empty() ? NAN : shares_.back();
     std::printf(
         "  %-9s error median %.3f largest %.3f mm^3 (%.2f, %.2f %%), within max(1 %%, 5 um b L): %d of %zu, "
         "error / sigma: RMS %.2f largest %.2f\n",
-        what, errors_[middle], errors_.back(), shares_[middle], shares_.back(), good_, errors_.size(),
+        what, errors_[middle], errors_.back(), share, worst, good_, errors_.size(),
         std::sqrt(squares_ / static_cast<double>(errors_.size())), worst_);
   }
 
