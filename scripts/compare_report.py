@@ -12,6 +12,7 @@ import sys
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", metavar="DIR", help="holds compare.json and difference.pcd")
+    parser.add_argument("--named", metavar="PATH", help="the folder's name in the report, where it is not DIR")
     arguments = parser.parse_args()
 
     from report import style  # after the usage: matplotlib takes its time
@@ -20,7 +21,7 @@ def main():
     from report.files import ReportError, write_together
     try:
         style.prepare()
-        folder = CompareFolder(arguments.folder)
+        folder = CompareFolder(arguments.folder, arguments.named)
         write_together({os.path.join(arguments.folder, "report.html"): compare_page(folder),
                         os.path.join(arguments.folder, "report.png"): compare_overview(folder)})
     except ReportError as error:

@@ -3,7 +3,7 @@ import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, to_rgba
 
 from report import plan, style
-from report.grid import colours_of, shaded, smooth
+from report.grid import colours_of, shaded
 from report.weld_figures import framed
 
 # light in the middle, so that a grey printer shows how far off a place is; below the target it is hatched as well
@@ -43,8 +43,8 @@ def draw_map(figure, axes, folder, name):
 
 
 def _draw_over_ground(axes, shape, folder):
-    """Places below the target by more than the limit: dots, and numbers of the spots."""
-    low = smooth(folder.maps["remaining"]) < -folder.limit
+    """Places that were ground below the target by more than the limit: dots, and numbers of the spots."""
+    low = folder.deep
     if low.any():
         overlay = np.zeros(low.shape + (4,))
         checks = (np.add.outer(np.arange(low.shape[0]), np.arange(low.shape[1])) // 2) % 2 == 0
@@ -124,7 +124,7 @@ def draw_lowest(axes, folder):
     axes.axhline(-folder.limit, color=style.ALARM, linewidth=0.9, linestyle=(0, (6, 2)))
     axes.annotate("limit", (1.0, -folder.limit), xycoords=("axes fraction", "data"), xytext=(2, 0), textcoords="offset points",
                   fontsize=7, va="center", annotation_clip=False)
-    axes.set_ylabel("lowest over\nthe target [mm]")
+    axes.set_ylabel("ground below\nthe target [mm]")
     axes.set_xlabel("y along the stage [mm]")
     _plain(axes)
 

@@ -14,16 +14,16 @@ MAPS = ("after", "removed", "remaining")
 class CompareFolder:
     """A comparison of two scans. Maps are grids [mm]; None without a point."""
 
-    def __init__(self, path):
+    def __init__(self, path, named=None):
         if not os.path.isdir(path):
             raise ReportError("%s: is no folder, give the folder that holds compare.json" % path)
-        self.path = path
+        self.path, self.named = path, named or path
         self.record = read_json(os.path.join(path, "compare.json"), COMPARE)
         limit = self.record.number("over_ground_limit")
         self.limit = 1e3 * limit if np.isfinite(limit) else 0.05
         self.spots = self.record.records("over_ground")
         self.cloud = self.grid = None
-        self.maps = {}
+        self.maps, self.taken, self.deep = {}, None, None
         self._read_points(os.path.join(path, "difference.pcd"))
 
     def _read_points(self, path):
@@ -36,6 +36,13 @@ class CompareFolder:
         self.maps = {"before": self.grid.mean(cloud.z)}
         for name in MAPS:
             self.maps[name] = self.grid.mean(cloud.millimetres(name))
+        # what was ground below the target: a place that lay there before (an undercut) does not count
+        self.taken = np.maximum(smooth(self.maps["remaining"]), smooth(-self.maps["removed"]))
+        if cloud.has("spot"):
+            with np.errstate(invalid="ignore"):
+                self.deep = self.grid.share(cloud.scan["spot"] > 0) >= 0.5
+        else:
+            self.deep = self.taken < -self.limit
 
     def profile(self, share):
         """The row at a share of the scan: x, before, after, target and its y [mm], sorted by x."""
@@ -57,8 +64,9 @@ class CompareFolder:
         return y, np.where(known, area, np.nan)
 
     def lowest(self):
-        """y and the deepest place under the target, row by row [mm]: over the smoothed map, no single point."""
-        field = smooth(self.maps["remaining"])
+        """y and the deepest place under the target, row by row [mm]: over the smoothed map, no single point; places that
+        lay as low before do not count."""
+        field = self.taken
         known = np.isfinite(field).any(axis=1)
         low = np.full(len(field), np.nan)
         low[known] = np.nanmin(field[known], axis=1)

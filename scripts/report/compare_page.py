@@ -9,11 +9,11 @@ from report.numbers import NONE, fixed, with_uncertainty
 from report.overview import HEIGHT, INNER, MARGIN, WIDTH, page_axes, rule, shortened, write
 from report.software import software
 
-MAPS = ("Seen from above. Remaining: blue = still above the target, red and checked = over-ground, grey = not known. Numbers: the "
-        "over-ground places of the table.")
+MAPS = ("Seen from above. Remaining: blue = still above the target, red = below it (also an undercut that was there before), "
+        "checked = over-ground, grey = not known. Numbers: the over-ground places of the table.")
 PROFILES = "Rows of the scan at 20, 50 and 80 % of its length; heights larger than true to scale."
-ALONG = ("Area of each cross-section (what is below the target counts as negative), and its lowest place over the target (means "
-         "over 3 × 3 cells of the map).")
+ALONG = ("Area of each cross-section (what is below the target counts as negative), and how far below the target it was ground: its "
+         "lowest place (means over 3 × 3 cells of the map); what lay as low before grinding, an undercut, does not count.")
 
 
 def result(folder):
@@ -36,7 +36,7 @@ def volumes(folder):
     record = folder.record
     rows = [(name, with_uncertainty(*[1e9 * number for number in record.quantity(key)], unit="mm³"))
             for key, name in (("removed_volume", "removed"), ("remaining_volume", "remaining above the target"))]
-    rows.append(("share of the scan compared", fixed(100 * record.number("measured_share"), 1, "%")))
+    rows.append(("share of the weld compared", fixed(100 * record.number("measured_share"), 1, "%")))
     return rows
 
 
@@ -86,7 +86,7 @@ def compare_page(folder):
     calibration = record.record("calibration")
     origin = [("before", record.text("before") or NONE), ("after", record.text("after") or NONE),
               ("calibration", "%s (%s)" % (calibration.text("file") or NONE, calibration.text("hash") or "no hash")),
-              ("software", software(record)), ("folder", os.path.abspath(folder.path))]
+              ("software", software(record)), ("folder", os.path.abspath(folder.named))]
     parts += [tag("h2", "What could not be compared, and why"),
               tag("ul", *[tag("li", note) for note in notes]) if notes else tag("p", "Nothing was left out."),
               tag("h2", "How the scans were aligned"), html.facts(alignment(folder)), tag("h2", "Origin"), html.facts(origin),

@@ -13,7 +13,8 @@ namespace weld_profiler
 {
 namespace
 {
-const char* const kProgram = "package://weld_profiler/scripts/weld_report.py";
+const char* const kWeldReport = "package://weld_profiler/scripts/weld_report.py";
+const char* const kCompareReport = "package://weld_profiler/scripts/compare_report.py";
 
 /// For a shell: in single quotes, those inside closed, escaped and opened again.
 std::string quoted(const std::string& word)
@@ -23,11 +24,11 @@ std::string quoted(const std::string& word)
     text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
 }
-}  // namespace
-
-std::vector<std::string> writeReport(const std::string& directory)
+/// @param more  further words for the shell.
+std::vector<std::string> runProgram(const char* program, const std::string& directory, const std::string& more)
 {
-  const std::string command = "/usr/bin/python3 " + quoted(resolveUrl(kProgram)) + " " + quoted(directory) + " 2>&1";
+  const std::string command =
+      "/usr/bin/python3 " + quoted(resolveUrl(program)) + " " + more + quoted(directory) + " 2>&1";
   std::FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr)
     throw InputError("cannot start the report program for " + directory + ", is python3 installed?");
@@ -42,5 +43,16 @@ std::vector<std::string> writeReport(const std::string& directory)
   for (const char* name : { "report.html", "report.png" })
     files.push_back((std::filesystem::path(directory) / name).string());
   return files;
+}
+}  // namespace
+
+std::vector<std::string> writeReport(const std::string& directory)
+{
+  return runProgram(kWeldReport, directory, "");
+}
+
+std::vector<std::string> writeCompareReport(const std::string& directory, const std::string& named)
+{
+  return runProgram(kCompareReport, directory, "--named=" + quoted(named) + " ");
 }
 }  // namespace weld_profiler

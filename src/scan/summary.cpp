@@ -29,6 +29,17 @@ std::string quoted(const std::string& value)
   }
   return json + '"';
 }
+
+std::string number(double value)
+{
+  if (!std::isfinite(value))
+    return "null";
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(12);
+  out << value;
+  return out.str();
+}
 }  // namespace
 
 JsonObject& JsonObject::addRaw(const std::string& key, const std::string& json)
@@ -44,13 +55,15 @@ JsonObject& JsonObject::add(const std::string& key, const std::string& value)
 
 JsonObject& JsonObject::add(const std::string& key, double value)
 {
-  if (!std::isfinite(value))
-    return addRaw(key, "null");
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(12);
-  out << value;
-  return addRaw(key, out.str());
+  return addRaw(key, number(value));
+}
+
+JsonObject& JsonObject::add(const std::string& key, const std::vector<double>& numbers)
+{
+  std::string json = "[";
+  for (const double value : numbers)
+    json += (json.size() > 1 ? ", " : "") + number(value);
+  return addRaw(key, json + "]");
 }
 
 JsonObject& JsonObject::add(const std::string& key, std::uint64_t value)

@@ -49,6 +49,37 @@ class WhatIsShown(Case):
         y, area = folder.along("remaining")
         self.assertAlmostEqual(np.nanmean(area[y > 26]), 0.15 * 10, delta=0.2)
 
+    def made(self, names):
+        """A plate at z = 0 with a groove of 0.2 mm in the middle, before and after alike."""
+        x, y = np.meshgrid(np.arange(80) * 1e-3, np.arange(40) * 1e-3)
+        cloud = np.zeros(x.shape, [(name, "<f4") for name in names])
+        groove = np.where(abs(x - 0.04) < 0.003, -2e-4, 0.0)
+        cloud["x"], cloud["y"], cloud["z"], cloud["after"], cloud["remaining"] = x, y, groove, groove, groove
+        return cloud
+
+    def test_an_undercut_that_was_there_before_is_not_marked(self):
+        write_pcd(self.path("difference.pcd"), self.made(("x", "y", "z", "after", "removed", "remaining")))
+        folder = CompareFolder(self.folder)
+        self.assertFalse(folder.deep.any())
+        self.assertAlmostEqual(np.nanmin(folder.lowest()[1]), 0.0, delta=0.001)
+
+    def test_the_places_of_the_file_are_marked(self):
+        cloud = self.made(("x", "y", "z", "after", "removed", "remaining", "spot"))
+        cloud["spot"][10:20, 60:70] = 1
+        write_pcd(self.path("difference.pcd"), cloud)
+        folder = CompareFolder(self.folder)
+        y, x = np.nonzero(folder.deep)
+        self.assertGreater(len(x), 10)
+        self.assertTrue((abs(folder.grid.left + folder.grid.dx * (x + 0.5) - 64.5) < 6.5).all())
+        self.assertTrue((abs(folder.grid.near + folder.grid.dy * (y + 0.5) - 14.5) < 6.5).all())
+
+    def test_the_folder_is_called_as_asked(self):
+        with open(self.path("report.html"), "w"):
+            pass
+        self.assertEqual(self.run_program("--named=/elsewhere/ground", self.folder)[0], 0)
+        with open(self.path("report.html")) as file:
+            self.assertIn("/elsewhere/ground", file.read())
+
     def test_a_clean_surface_is_said_to_be_one(self):
         self.edit(lambda record: record.update({"over_ground": []}))
         page = self.page()

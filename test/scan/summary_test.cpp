@@ -54,7 +54,9 @@ TEST(Summary, TakesMoreKeys)
 {
   JsonObject object = summary(someBalance());
   object.add("scans", 2).add("pitch", 2.5e-4).add("poor", false).add("bag", "a \"b\"\\\n").add("mean", std::nan(""));
+  object.add("shift", std::vector<double>{ 1e-4, -0.5, std::nan("") });
   const std::string text = object.text();
+  EXPECT_NE(text.find("\"shift\": [0.0001, -0.5, null]"), std::string::npos) << text;
   EXPECT_NE(text.find("\"scans\": 2,"), std::string::npos) << text;
   EXPECT_NE(text.find("\"pitch\": 0.00025,"), std::string::npos) << text;
   EXPECT_NE(text.find("\"poor\": false,"), std::string::npos) << text;

@@ -41,4 +41,8 @@ std::string settingsText(const WeldSettings& settings);
 /// Calls the report program for a folder that writeWeldFiles() has filled.
 /// @return report.html and report.png. @throws InputError with what the program said.
 std::vector<std::string> writeReport(const std::string& directory);
+
+/// The same for a comparison before and after grinding: a folder with compare.json and difference.pcd.
+/// @param named  the folder's name in the report: where the files will lie.
+std::vector<std::string> writeCompareReport(const std::string& directory, const std::string& named);
 }  // namespace weld_profiler

@@ -24,6 +24,7 @@ public:
   JsonObject& add(const std::string& key, const JsonObject& object);
   JsonObject& add(const std::string& key, const std::vector<std::string>& texts);
   JsonObject& add(const std::string& key, const std::vector<JsonObject>& objects);
+  JsonObject& add(const std::string& key, const std::vector<double>& numbers);  ///< NaN and infinity become null
 
   /// @param indent  blanks before each line but the first. No line end after the closing brace.
   std::string text(int indent = 0) const;

@@ -1,0 +1,136 @@
+#include "compared_scans.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics.h"
+
+namespace weld_profiler
+{
+namespace weld
+{
+namespace
+{
+constexpr double kBin = 2.5e-4;       // [m]
+constexpr double kMostBins = 2000.0;  // a side
+
+bool metal(std::uint8_t label)
+{
+  return label == static_cast<std::uint8_t>(WeldLabel::Bead) || label == static_cast<std::uint8_t>(WeldLabel::Spatter);
+}
+}  // namespace
+
+Vector6d ComparedScans::heightJacobian(const Eigen::Vector3d& place, double slope_x, double slope_y) const
+{
+  const Eigen::Vector3d rise(-slope_x, -slope_y, 1.0);
+  Vector6d jacobian;
+  jacobian << rise, (place - aligned.about).cross(rise);
+  return jacobian;
+}
+
+void shareAreas(const std::vector<Facet>& facets, ComparedScans& scans)
+{
+  scans.area.assign(scans.grid.z.size(), 0.0F);
+  scans.common_area = scans.area;
+  for (const Facet& facet : facets)
+  {
+    const auto share = static_cast<float>(doubledArea(scans.grid, facet) / 6.0);
+    const bool common = std::isfinite(scans.after[facet.a].z) && std::isfinite(scans.after[facet.b].z) &&
+                        std::isfinite(scans.after[facet.c].z);
+    for (const std::uint32_t i : { facet.a, facet.b, facet.c })
+    {
+      scans.area[i] += share;
+      scans.common_area[i] += common ? share : 0.0F;
+    }
+  }
+}
+
+CompareBins::CompareBins(const ComparedScans& scans)
+{
+  const ScanGrid& grid = scans.grid;
+  double right = -INFINITY, far = -INFINITY;
+  left_ = near_ = INFINITY;
+  for (std::size_t i = 0; i < grid.z.size(); ++i)
+  {
+    if (!scans.known(i))
+      continue;
+    left_ = std::min(left_, static_cast<double>(grid.x[i])), right = std::max(right, static_cast<double>(grid.x[i]));
+    near_ = std::min(near_, static_cast<double>(grid.y[i])), far = std::max(far, static_cast<double>(grid.y[i]));
+  }
+  if (!(right >= left_))
+    return;
+  // bins without a point would cut spots to pieces
+  size_ =
+      std::max({ kBin, 1.3 * grid.pitch, 3.0 * grid.spacing, (right - left_) / kMostBins, (far - near_) / kMostBins });
+  columns_ = static_cast<int>((right - left_) / size_) + 1;
+  rows_ = static_cast<int>((far - near_) / size_) + 1;
+  bins_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  for (std::size_t i = 0; i < grid.z.size(); ++i)
+  {
+    if (!scans.known(i) || !std::isfinite(scans.maps.target[i]))
+      continue;
+    const std::size_t bin = index(rowOf(static_cast<double>(grid.y[i])), columnOf(static_cast<double>(grid.x[i])));
+    add(scans, i, bins_[bin]);
+  }
+  for (Bin& bin : bins_)
+  {
+    if (bin.points == 0)
+      continue;
+    for (double* sum : { &bin.x, &bin.y, &bin.z, &bin.above, &bin.taken, &bin.target, &bin.noise })
+      *sum /= bin.area;
+    if (bin.metal_area > 0.0)
+      bin.metal_above /= bin.metal_area;
+    // points of one row err alike
+    const double independent = std::max(static_cast<double>(bin.rows), bin.points / scans.noise.alike);
+    bin.noise *= square(scans.noise.factor) / independent;
+  }
+}
+
+void CompareBins::add(const ComparedScans& scans, std::size_t i, Bin& bin)
+{
+  const ScanGrid& grid = scans.grid;
+  const auto area = static_cast<double>(scans.common_area[i]);
+  ++bin.points;
+  const int row = static_cast<int>(i / static_cast<std::size_t>(grid.cells));
+  bin.rows += row != bin.last_row ? 1 : 0;
+  bin.last_row = row;
+  bin.spatter = bin.spatter || scans.maps.labels[i] == static_cast<std::uint8_t>(WeldLabel::Spatter);
+  bin.area += area;
+  bin.x += area * static_cast<double>(grid.x[i]);
+  bin.y += area * static_cast<double>(grid.y[i]);
+  bin.z += area * static_cast<double>(scans.after[i].z);
+  bin.above += area * scans.above(i);
+  bin.taken += area * scans.taken(i);
+  bin.target += area * static_cast<double>(scans.maps.target[i]);
+  bin.noise += area * (static_cast<double>(scans.after[i].variance) + pointVariance(grid, i));
+  if (!metal(scans.maps.labels[i]))
+    return;
+  bin.metal_area += area;
+  bin.metal_above += area * scans.above(i);
+}
+
+/// Of the target.
+double CompareBins::slope(int row, int column, bool along_x) const
+{
+  const auto neighbour = [&](int step) -> const Bin*
+  {
+    const int r = along_x ? row : row + step, c = along_x ? column + step : column;
+    if (r < 0 || c < 0 || r >= rows_ || c >= columns_ || at(r, c).points == 0)
+      return nullptr;
+    return &at(r, c);
+  };
+  const Bin* const low = neighbour(-1) != nullptr ? neighbour(-1) : &at(row, column);
+  const Bin* const high = neighbour(1) != nullptr ? neighbour(1) : &at(row, column);
+  const double run = along_x ? high->x - low->x : high->y - low->y;
+  return run > 0.1 * size_ ? (high->target - low->target) / run : 0.0;
+}
+
+double CompareBins::variance(const ComparedScans& scans, int row, int column) const
+{
+  const Bin& bin = at(row, column);
+  const Vector6d jacobian =
+      scans.heightJacobian({ bin.x, bin.y, bin.z }, slope(row, column, true), slope(row, column, false));
+  return bin.noise + jacobian.dot(scans.aligned.covariance * jacobian);
+}
+}  // namespace weld
+}  // namespace weld_profiler
