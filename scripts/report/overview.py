@@ -120,7 +120,10 @@ def overview(folder, relief):
     calibration = folder.record.record("calibration")
     age = calibration.number("age_days")
     aged = "not dated" if not math.isfinite(age) else "%.1f days old" % age
-    write(figure, MARGIN, HEIGHT - 0.44, shortened("Calibration %s (%s), %s. %s. Bands and ±: two standard deviations."
-           % (calibration.text("file") or "not named", calibration.text("hash") or "no hash", aged,
-              software(folder.record)[:1].upper() + software(folder.record)[1:]), 150), fontsize=6.2, color=style.GREY)
+    write(figure, MARGIN, HEIGHT - 0.44, "%s\n%s" % (
+        shortened("Calibration %s (%s), %s. Settings %s." % (
+            calibration.text("file") or "not named", calibration.text("hash") or "no hash", aged,
+            folder.record.text("settings_hash") or "not named"), 150),
+        shortened("%s. Bands and ±: two standard deviations." % (
+            software(folder.record)[:1].upper() + software(folder.record)[1:]), 150)), fontsize=6.2, color=style.GREY, linespacing=1.4)
     return style.png(figure, 150)

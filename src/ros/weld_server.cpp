@@ -210,6 +210,7 @@ WeldOutcome WeldServer::evaluate(const Job& job, const sensor_msgs::PointCloud2&
   const Scan scan = scanFromCloud(cloud);
   const WeldEvaluation evaluation = job.order.evaluator->evaluate(scan);
   WeldOutcome outcome;
+  outcome.asked = evaluation.verdict.asked;
   outcome.summary = measurementMessage(evaluation);
   outcome.summary.header = cloud.header;
   outcome.summary.weld_id = job.order.weld_id;
@@ -272,6 +273,8 @@ try
   const GrindingPlan plan = transformed(evaluation.plan, output, header.frame_id);
   GrindingPasses passes = passesMessage(plan, header);
   passes.weld_id = outcome.summary.weld_id;
+  passes.calibration_hash = outcome.summary.calibration_hash;
+  passes.settings = outcome.summary.settings;
   passes_.publish(passes);
   pass_poses_.publish(passPoses(plan, header));
   toe_left_.publish(poseArray(plan.toe_left, header));
