@@ -89,7 +89,7 @@ try
   message->sections.push_back(sectionMessage(section, nullptr));
   measured_.publish(WeldMeasurementConstPtr(message));
   if (section_marker_.getNumSubscribers() > 0)
-    section_marker_.publish(sectionMarkers(section, cloud->header));
+    section_marker_.publish(sectionMarkers(section, profile, cloud->header));
 }
 catch (const PreconditionError& error)
 {
@@ -194,6 +194,9 @@ try
   summary_.publish(boost::make_shared<const WeldMeasurement>(outcome.summary));
   measured_.publish(boost::make_shared<const WeldMeasurement>(outcome.summary));
   markers_.publish(weldMarkers(evaluation, outcome.summary.header));
+  if (const WeldSection* middle = middleSection(evaluation.result))
+    section_marker_.publish(
+        sectionMarkers(*middle, scan.rows[static_cast<std::size_t>(middle->row)], outcome.summary.header));
   grinding_.publish(scan, evaluation, outcome.summary);
 }
 catch (const InputError& error)

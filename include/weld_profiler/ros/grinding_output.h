@@ -14,7 +14,7 @@
 
 namespace weld_profiler
 {
-/// What grinding takes of a measured weld, on its topics (docs/live-chain.md), latched: `weld_points`, lines, passes
+/// What grinding takes of a measured weld, on its topics (README.md), latched: `weld_points`, lines, passes
 /// and meshes, all in one frame.
 class GrindingOutput
 {
