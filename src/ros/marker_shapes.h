@@ -12,8 +12,8 @@ namespace weld_profiler
 namespace marker_size
 {
 constexpr double kLine = 3e-4;      ///< of a drawn line
-constexpr double kText = 2.6e-3;    ///< height of a letter
-constexpr double kAbove = 0.016;    ///< the section's drawing over its place
+constexpr double kText = 2.4e-3;    ///< height of a letter
+constexpr double kAbove = 0.020;    ///< the section's drawing over its place
 constexpr double kDrawing = 0.024;  ///< width of the bead in the drawing, if that takes no more than 4:1
 }  // namespace marker_size
 

@@ -31,6 +31,14 @@ std::string value(const char* symbol, const Quantity& quantity, int digits, doub
   return words;
 }
 
+/// Without sigma: beside each other on a tilted sheet there is no room for it.
+std::string angle(const Quantity& quantity)
+{
+  char words[32];
+  std::snprintf(words, sizeof(words), "%.1f deg", kDegrees * quantity.value);
+  return quantity.measured() ? words : "";
+}
+
 /// Maps the section's plane onto an upright sheet above its place, enlarged about the middle of the chord.
 class Sheet
 {
@@ -134,14 +142,14 @@ void addTexts(const Sheet& sheet, const WeldSection& section, const std_msgs::He
     if (!words.empty())
       all.markers.push_back(text(header, 1 + static_cast<int>(all.markers.size()), sheet.drawn(u, v), words));
   };
-  add(0.0, -2.2 * kText, value("b ", section.width, 2, kMillimetres, "mm"));
-  add(0.0, std::max(height, 0.0) + kText, value("h ", section.reinforcement, 2, kMillimetres, "mm"));
-  add(0.0, -3.4 * kText, value("a ", section.throat, 2, kMillimetres, "mm"));
+  add(2.0 * kText, -2.4 * kText, value("b ", section.width, 2, kMillimetres, "mm"));
+  add(0.0, std::max(height, 0.0) + kText, value("h ", section.reinforcement, 3, kMillimetres, "mm"));
+  add(2.0 * kText, -3.6 * kText, value("a ", section.throat, 2, kMillimetres, "mm"));
   const double left = sheet.scale() * sheet.left().y(), right = sheet.scale() * sheet.right().y();
-  add(-half - 4.0 * kText, left + 1.2 * kText, value("", section.toe_angle_left, 1, kDegrees, "deg"));
-  add(half + 4.0 * kText, right + 1.2 * kText, value("", section.toe_angle_right, 1, kDegrees, "deg"));
+  add(-half - 4.0 * kText, left + 1.2 * kText, angle(section.toe_angle_left));
+  add(half + 4.0 * kText, right + 1.2 * kText, angle(section.toe_angle_right));
   const auto undercut = [](const Quantity& depth)
-  { return depth.measured() && depth.value > 2.0 * depth.sigma ? value("5011 ", depth, 2, kMillimetres, "mm") : ""; };
+  { return depth.measured() && depth.value > 2.0 * depth.sigma ? value("5011 ", depth, 3, kMillimetres, "mm") : ""; };
   add(-half - 4.0 * kText, left - 1.2 * kText, undercut(section.undercut_left));
   add(half + 4.0 * kText, right - 1.2 * kText, undercut(section.undercut_right));
 }
