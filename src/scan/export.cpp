@@ -83,7 +83,7 @@ void saveScan(const Scan& scan, const std::string& path, const std::string& form
   requireOneOf("format", format, scanFormats());
   for (const std::string& comment : comments)
     if (comment.find_first_of("\r\n") != std::string::npos)
-      throw PreconditionError("a comment of " + path + " must be one line: '" + comment + "'");
+      throw PreconditionError("a comment of " + path + " has a line break, must be one line");
   if (scan.empty() || scan.cells == 0)
     throw InputError("cannot write " + path + ": the scan holds no row; scan first");
   AtomicFile file(path);
