@@ -27,10 +27,12 @@ class Cloud:
         return self.scan["label"] if self.has("label") else None
 
     def near_rows(self, row, count):
-        """The points of the rows around one of them: x, y, z as flat arrays."""
+        """The points of the rows around one of them: x, y, z and whether base metal, as flat arrays."""
         first, last = max(row - count, 0), row + count + 1
         keep = self.good[first:last]
-        return tuple(values[first:last][keep] for values in (self.x, self.y, self.z))
+        labels = self.labels()
+        base = np.ones(self.good.shape, bool) if labels is None else labels == BASE
+        return tuple(values[first:last][keep] for values in (self.x, self.y, self.z, base))
 
     def row_pitch(self):
         """Median distance of neighbouring rows along y [mm]; NaN for a single row."""

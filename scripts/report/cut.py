@@ -19,7 +19,7 @@ class Cut:
         across, along = (math.cos(yaw), math.sin(yaw)), (-math.sin(yaw), math.cos(yaw))
         self.left, self.right = ((np.dot(toe[:2] - middle[:2], across), toe[2] - self.base) for toe in (left, right))
         self.width = self.right[0] - self.left[0]
-        self.q, self.z = self._points(folder, middle, across, along)
+        self.q, self.z, self.on_base = self._points(folder, middle, across, along)
         self.line_left = self._parent(self.left, -1)
         self.line_right = self._parent(self.right, 1)
 
@@ -30,17 +30,17 @@ class Cut:
         reach = 1.5 * self.width + 15.0
         row = folder.sections.numbers("row")[self.index]
         row = int(min(max(np.nan_to_num(row), 0), cloud.x.shape[0] - 1))
-        x, y, z = cloud.near_rows(row, int(reach * abs(along[0]) / pitch) + 3)
+        x, y, z, base = cloud.near_rows(row, int(reach * abs(along[0]) / pitch) + 3)
         dx, dy = x - middle[0], y - middle[1]
         keep = (np.abs(dx * along[0] + dy * along[1]) <= 0.55 * pitch) & (np.abs(dx * across[0] + dy * across[1]) < reach)
         q = (dx * across[0] + dy * across[1])[keep]
         order = np.argsort(q, kind="stable")
-        return q[order].astype(float), (z[keep][order] - self.base).astype(float)
+        return q[order].astype(float), (z[keep][order] - self.base).astype(float), base[keep][order]
 
     def _parent(self, toe, side):
-        """A robust line through the points beside the toe, for the drawing; through the toe itself if they are too few."""
+        """A robust line through the base metal beside the toe, for the drawing; None where there is too little of it."""
         distance = side * (self.q - toe[0])
-        keep = (distance > PARENT_FROM) & (distance < PARENT_TO)
+        keep = (distance > PARENT_FROM) & (distance < PARENT_TO) & self.on_base
         q, z = self.q[keep], self.z[keep]
         if len(q) < 20 or np.ptp(q) < 1.0:
             return None

@@ -161,7 +161,9 @@ class Drawing:
         self.axes.axis("off")
         bar = 10 ** math.floor(math.log10(0.25 * self.size))
         bar *= 5 if 5 * bar < 0.25 * self.size else 2 if 2 * bar < 0.25 * self.size else 1
-        place = (self.high_q - bar - 0.01 * self.size, max(self.high, self.top) + 0.10 * self.size)
+        aside = self.high_q - bar - 0.01 * self.size
+        # a fillet's plate takes the upper corner: the metal below is free
+        place = (aside, floor + 0.03 * self.size) if self.fillet else (aside, max(self.high, self.top) + 0.10 * self.size)
         self.axes.plot([place[0], place[0] + bar], [place[1]] * 2, color=style.INK, linewidth=2.0, solid_capstyle="butt")
         self.axes.text(place[0] + 0.5 * bar, place[1] + 0.012 * self.size, "%g mm" % bar, fontsize=7, ha="center", va="bottom")
 

@@ -1,5 +1,6 @@
 """A weld on one page, as a picture."""
 import math
+import textwrap
 
 from report import along, plan, style
 from report.cut import Cut
@@ -10,6 +11,7 @@ from report.verdicts import UNVERIFIED, Verdict
 
 WIDTH, HEIGHT, MARGIN = 8.27, 11.69, 0.55  # A4 [in]
 INNER = WIDTH - 2 * MARGIN
+HEAD_LINES = 4  # beside the verdict
 
 
 def page_axes(figure, left, top, width, height):
@@ -41,9 +43,10 @@ def _head(figure, folder):
     dark = verdict.kind == "fail"
     write(figure, MARGIN + 0.12, 1.08, verdict.mark, fontsize=17, fontweight="bold", color="white" if dark else style.INK,
            bbox={"boxstyle": "square,pad=0.3", "facecolor": style.INK if dark else "white", "edgecolor": style.INK})
-    lines = [shortened(line, 70) for line in verdict.why[:3]]
-    if verdict.unverified:
-        lines = lines[:2] + ["This verdict %s." % UNVERIFIED]
+    lines = [part for sentence in verdict.why[:3] for part in textwrap.wrap(sentence, 70)]
+    last = ["This verdict %s." % UNVERIFIED] if verdict.unverified else []
+    last += [verdict.beside(folder)] if folder.has_weld() and verdict.beside(folder) else []
+    lines = lines[:HEAD_LINES - len(last)] + last
     write(figure, MARGIN + 3.15, 1.02, "\n".join(lines), fontsize=8, linespacing=1.4)
 
 
@@ -72,7 +75,7 @@ def _maps(figure, folder, relief, top, height):
     shape = plan.Plan(folder.grid)
     wide = shape.wide()
     if wide:
-        upper = min(height * 0.46, 6.0 * shape.ratio + 0.1)
+        upper = min(height * 0.46, max(6.0 * shape.ratio + 0.1, 0.85))  # a scan of three rows: room for the axes' names
         axes = page_axes(figure, MARGIN + 0.45, top, INNER - 1.1, upper)
         lower = page_axes(figure, MARGIN, top + upper + 0.75, INNER, height - upper - 0.75)
     else:
@@ -117,7 +120,10 @@ def overview(folder, relief):
     calibration = folder.record.record("calibration")
     age = calibration.number("age_days")
     aged = "not dated" if not math.isfinite(age) else "%.1f days old" % age
-    write(figure, MARGIN, HEIGHT - 0.44, shortened("Calibration %s (%s), %s. %s. Bands and ±: two standard deviations."
-           % (calibration.text("file") or "not named", calibration.text("hash") or "no hash", aged,
-              software(folder.record)[:1].upper() + software(folder.record)[1:]), 150), fontsize=6.2, color=style.GREY)
+    write(figure, MARGIN, HEIGHT - 0.44, "%s\n%s" % (
+        shortened("Calibration %s (%s), %s. Settings %s." % (
+            calibration.text("file") or "not named", calibration.text("hash") or "no hash", aged,
+            folder.record.text("settings_hash") or "not named"), 150),
+        shortened("%s. Bands and ±: two standard deviations." % (
+            software(folder.record)[:1].upper() + software(folder.record)[1:]), 150)), fontsize=6.2, color=style.GREY, linespacing=1.4)
     return style.png(figure, 150)

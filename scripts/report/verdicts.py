@@ -1,8 +1,26 @@
 """How a verdict is worded: the same everywhere it is shown, and never without what it rests on."""
+import math
+
 from report.numbers import readable
 from report.style import LEVELS
 
 UNVERIFIED = "rests on limits that were not verified"
+
+
+def _why_undecided(folder):
+    """A limit too near, or a weld too little of which was seen: both leave it open."""
+    table = folder.verdict
+    near = seen = False
+    for decision, margin, sigma, own in zip(table.texts("decision"), table.numbers("margin_mm"), table.numbers("sigma_margin_mm"),
+                                            table.numbers("sigma_mm")):
+        if decision != "undecided" or not math.isfinite(margin):
+            continue
+        sigma = sigma if math.isfinite(sigma) else own
+        near, seen = near or abs(margin) <= 2 * sigma, seen or margin > 2 * sigma
+    if seen and not near:
+        return "Too little of the weld was measured to say that it passes."
+    near_limit = "A limit lies within two standard deviations of what was measured"
+    return near_limit + (", and too little of the weld was measured." if seen else ".")
 
 
 class Verdict:
@@ -19,8 +37,7 @@ class Verdict:
             self.why = [folder.record.text("reason") or "no weld was recognised in this scan"]
             self.unverified = False
             return
-        best = {"fail": "Not even level D is met.",
-                "undecided": "A limit lies within two standard deviations of what was measured.",
+        best = {"fail": "Not even level D is met.", "undecided": _why_undecided(folder),
                 "": "Something that decides was not measured, or nothing is judged."}
         self.mark = {"fail": "FAILS", "undecided": "UNDECIDED", "": "NOT JUDGED"}.get(overall, "LEVEL " + overall)
         self.why = [best.get(overall, "Level %s is the best level met." % overall)]
@@ -35,6 +52,12 @@ class Verdict:
             self.why.append("Levels: " + ", ".join(known) + ".")
         if record.text("limits"):
             self.why.append("Limits: %s." % record.text("limits"))
+
+    def beside(self, folder):
+        """What the measured numbers are not about: a sentence, or empty."""
+        others = len(folder.record.records("other_beads"))
+        return "" if not others else "%s beside it was seen, not measured." % (
+            "Another bead" if others == 1 else "%d other beads or pieces" % others)
 
     def one_line(self):
         """For a headline or a picture."""

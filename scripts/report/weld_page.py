@@ -127,7 +127,7 @@ def origin(folder):
             ("calibrated", numbers.readable_date(calibration.text("date"))),
             ("age at the scan", "not dated" if not math.isfinite(age) else "%.1f days" % age),
             ("frame", folder.record.text("frame_id") or numbers.NONE), ("software", software(folder.record)),
-            ("folder", folder.path)]
+            ("settings, their hash", folder.record.text("settings_hash") or numbers.NONE), ("folder", folder.path)]
     scores = folder.record.record("scores")
     if scores:
         rows.append(("agreement with each kind", ", ".join("%s %.2f" % (numbers.readable(name), scores.number(name))

@@ -7,6 +7,7 @@
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/ros/diagnostics.h"
 #include "weld_profiler/ros/messages.h"
+#include "weld_profiler/ros/origin.h"
 #include "weld_profiler/ros/scan_server.h"
 #include "weld_profiler/scan/export.h"
 
@@ -65,7 +66,7 @@ bool ScanServer::saveScanFile(SaveScan::Request& request, SaveScan::Response& re
     std::string format = request.format;
     if (format.empty())
       format = request.path.substr(std::min(request.path.size(), request.path.rfind('.') + 1));
-    saveScan(*scan, request.path, format);
+    saveScan(*scan, request.path, format, Origin{ "", scan->frame_id, record_.hash, yamlOf(params_.chain) }.comments());
     response.success = true;
     response.message =
         std::to_string(scan->rows.size()) + " rows in " + std::filesystem::absolute(request.path).string();

@@ -165,7 +165,7 @@ void WeldAction::finish(const ScanWeldGoal& goal, const WeldOutcome& outcome)
   result.summary = outcome.summary;
   result.files = outcome.files;
   const bool weld = outcome.summary.kind != name(WeldKind::None);
-  const bool level = goal.level.empty() || (!outcome.summary.verdict.empty() && outcome.summary.verdict <= goal.level);
+  const bool level = goal.level.empty() || outcome.asked == Decision::Pass;
   result.success = weld && level && outcome.trouble.empty();
   result.message = outcome.summary.kind + (outcome.summary.verdict.empty() ? "" : ", " + outcome.summary.verdict) +
                    (outcome.summary.unverified ? " (limits not verified)" : "") +

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "weld_profiler/core/atomic_file.h"
+#include "weld_profiler/ros/origin.h"
 #include "weld_profiler/ros/weld_record.h"
 #include "weld_profiler/scan/labelled_scan.h"
 #include "weld_profiler/weld/grinding_csv.h"
@@ -75,6 +76,8 @@ std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& 
                                         const WeldSettings& settings, const WeldRecordInfo& info,
                                         const std::string& directory)
 {
+  requireWeldId(info.weld_id);
+  const Origin origin{ info.weld_id, scan.frame_id, info.calibration.hash, settingsText(settings) };
   const auto path = [&](const char* name) { return (fs::path(directory) / name).string(); };
   std::vector<std::string> files;
   const auto text = [&](const char* name, const std::function<void(std::ostream&)>& write)
@@ -83,13 +86,19 @@ std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& 
     writeText(files.back(), write);
   };
   text("weld.json", [&](std::ostream& out) { out << weldRecord(scan, evaluation, settings, info).text() << '\n'; });
-  text("weld.csv", [&](std::ostream& out) { writeWeldCsv(recordsOf(evaluation), out); });
-  text("verdict.csv", [&](std::ostream& out) { writeVerdictCsv(evaluation.verdict, out); });
-  text("spots.csv", [&](std::ostream& out) { writeSpots(evaluation.result.spots, out); });
+  const auto table = [&](const char* name, const std::function<void(std::ostream&)>& write)
+  {
+    std::ostringstream csv;
+    csv.imbue(std::locale::classic());
+    write(csv);
+    text(name, [&](std::ostream& out) { out << origin.inCsv(csv.str()); });
+  };
+  table("weld.csv", [&](std::ostream& out) { writeWeldCsv(recordsOf(evaluation), out); });
+  table("verdict.csv", [&](std::ostream& out) { writeVerdictCsv(evaluation.verdict, out); });
+  table("spots.csv", [&](std::ostream& out) { writeSpots(evaluation.result.spots, out); });
+  const std::vector<std::string> comments = origin.comments();
   files.push_back(path("weld_points.pcd"));
-  saveLabelledScan(scan, ScanLabels{ evaluation.result.labels, evaluation.result.removal }, files.back());
-  const std::vector<std::string> comments = { "weld " + info.weld_id, "frame " + scan.frame_id,
-                                              "calibration " + info.calibration.hash };
+  saveLabelledScan(scan, ScanLabels{ evaluation.result.labels, evaluation.result.removal }, files.back(), comments);
   const auto mesh = [&](const char* name, const TriangleMesh& surface)
   {
     std::error_code ignored;
@@ -99,7 +108,7 @@ std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& 
   };
   mesh("bead.ply", evaluation.plan.bead);
   mesh("target.ply", evaluation.plan.target);
-  text("passes.csv", [&](std::ostream& out) { writePassesCsv(evaluation.plan, out); });
+  table("passes.csv", [&](std::ostream& out) { writePassesCsv(evaluation.plan, out); });
   return files;
 }
 }  // namespace weld_profiler

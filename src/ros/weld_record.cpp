@@ -10,7 +10,9 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "weld_profiler/core/checksum.h"
 #include "weld_profiler/core/errors.h"
+#include "weld_profiler/ros/origin.h"
 
 namespace weld_profiler
 {
@@ -50,28 +52,6 @@ double ageInDays(const std::string& date, const Scan& scan)
   return std::difftime(seconds(scan), timegm(&parts)) / kDay;
 }
 
-/// Collects parameters for weld.json.
-struct ToJson
-{
-  JsonObject& object;
-  void operator()(const std::string& name, const std::string& value) { object.add(name, value); }
-  void operator()(const std::string& name, double value) { object.add(name, value); }
-  void operator()(const std::string& name, int value) { object.add(name, value); }
-  void operator()(const std::string& name, bool value) { object.add(name, value); }
-};
-
-struct ToYaml
-{
-  std::ostringstream& out;
-  template <class Value>
-  void operator()(const std::string& name, const Value& value)
-  {
-    out << name << ": " << value << '\n';
-  }
-  void operator()(const std::string& name, bool value) { out << name << ": " << (value ? "true" : "false") << '\n'; }
-  void operator()(const std::string& name, const std::string& value) { out << name << ": \"" << value << "\"\n"; }
-};
-
 JsonObject statisticsOf(const WeldResult& result)
 {
   JsonObject all;
@@ -89,6 +69,31 @@ JsonObject statisticsOf(const WeldResult& result)
   return all;
 }
 
+/// The limits of the height along the weld, as far as they follow the width alone.
+JsonObject heightLimitsOf(const WeldEvaluation& evaluation, const VerdictParams& judging)
+{
+  JsonObject limits;
+  if (!evaluation.height_limits)
+    return limits;
+  LimitDimensions plate;
+  plate.t = judging.thickness;
+  plate.s = judging.nominal_thickness ? judging.nominal_thickness : judging.thickness;
+  for (const QualityLevel level : kQualityLevels)
+  {
+    const LevelLimit& limit = evaluation.height_limits->at(level);
+    const bool limited = limit.rule == LevelLimit::Rule::Limit || limit.rule == LevelLimit::Rule::Short;
+    LevelLimit constant = limit;
+    constant.factor = limit.of == 'b' ? 0.0 : limit.factor, constant.of = limit.of == 'b' ? '\0' : limit.of;
+    const double base = limited ? evaluate(constant, plate).value : std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(base))
+      continue;
+    JsonObject one;
+    one.add("base", base).add("factor", limit.of == 'b' ? limit.factor : 0.0).add("cap", limit.cap);
+    limits.add(name(level), one);
+  }
+  return limits;
+}
+
 JsonObject verdictOf(const WeldEvaluation& evaluation, const WeldSettings& settings)
 {
   const WeldVerdict& verdict = evaluation.verdict;
@@ -103,6 +108,7 @@ JsonObject verdictOf(const WeldEvaluation& evaluation, const WeldSettings& setti
       .add("levels", levels)
       .add("notes", verdict.notes)
       .add("limits", settings.judging.limits_file.empty() ? "ISO 5817, built in" : settings.judging.limits_file)
+      .add("height_limits", heightLimitsOf(evaluation, settings.judging))
       .add("thickness", settings.judging.thickness.value_or(std::numeric_limits<double>::quiet_NaN()));
   return object;
 }
@@ -137,13 +143,7 @@ CalibrationRecord calibrationRecord(const std::string& path)
   content << file.rdbuf();
   if (!file)
     throw InputError("cannot read " + path + ", give a calibration file");
-  // FNV-1a: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, "The FNV Non-Cryptographic Hash Algorithm".
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : content.str())
-    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  char digits[17];
-  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(hash));
-  CalibrationRecord record{ path, digits, "" };
+  CalibrationRecord record{ path, checksum(content.str()), "" };
   try
   {
     const YAML::Node root = YAML::Load(content.str());
@@ -159,11 +159,7 @@ CalibrationRecord calibrationRecord(const std::string& path)
 
 std::string settingsText(const WeldSettings& settings)
 {
-  WeldSettings copy = settings;
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  copy.visit(ToYaml{ out });
-  return out.str();
+  return yamlOf(settings);
 }
 
 JsonObject weldRecord(const Scan& scan, const WeldEvaluation& evaluation, const WeldSettings& settings,
@@ -173,11 +169,9 @@ JsonObject weldRecord(const Scan& scan, const WeldEvaluation& evaluation, const 
   JsonObject scores;
   for (const KindScore& score : result.scores)
     scores.add(name(score.kind), score.score);
-  JsonObject used;
-  WeldSettings copy = settings;
-  copy.visit(ToJson{ used });
   JsonObject object;
-  object.add("id", info.weld_id)
+  object.add("software", software())
+      .add("id", info.weld_id)
       .add("date", isoDate(seconds(scan)))
       .add("frame_id", scan.frame_id)
       .add("kind", name(result.kind))
@@ -193,7 +187,8 @@ JsonObject weldRecord(const Scan& scan, const WeldEvaluation& evaluation, const 
       .add("statistics", statisticsOf(result))
       .add("other_beads", othersOf(result))
       .add("verdict", verdictOf(evaluation, settings))
-      .add("settings", used)
+      .add("settings", jsonOf(settings))
+      .add("settings_hash", checksum(settingsText(settings)))
       .add("calibration", calibrationOf(info.calibration, scan));
   return object;
 }

@@ -1,11 +1,9 @@
 #include "weld_profiler/ros/weld_server.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/ros/diagnostics.h"
-#include "weld_profiler/ros/grinding_messages.h"
 #include "weld_profiler/ros/messages.h"
 #include "weld_profiler/ros/weld_markers.h"
 #include "weld_profiler/ros/weld_messages.h"
@@ -15,11 +13,9 @@ namespace weld_profiler
 namespace
 {
 constexpr std::size_t kWaitingScans = 4;
-constexpr double kFetchTime = 10.0;     // a latched cloud comes at once; a large one over the network takes a while [s]
-constexpr double kTransformTime = 1.0;  // [s]
-constexpr double kSpinTime = 0.1;       // [s]
-constexpr double kMoved = 5e-6;         // less is the encoder's last digit [m]
-constexpr double kLogPeriod = 5.0;      // [s]
+constexpr double kFetchTime = 10.0;  // a latched cloud comes at once; a large one over the network takes a while [s]
+constexpr double kSpinTime = 0.1;    // [s]
+constexpr double kLogPeriod = 5.0;   // [s]
 }  // namespace
 
 void WeldServerParams::validate() const
@@ -32,24 +28,15 @@ WeldServer::WeldServer(const Handles& handles, const WeldServerParams& params)
   : handles_(handles),
     params_(params),
     evaluator_(std::make_shared<const WeldEvaluator>(params.settings)),
+    grinding_(handles.node, params.output_frame),
     updater_(handles.node, handles.own, handles.name),
     queue_(kWaitingScans, false)
 {
   params.validate();
   measured_ = handles_.node.advertise<WeldMeasurement>("weld", 64);
   summary_ = handles_.node.advertise<WeldMeasurement>("weld_summary", 1, true);
-  points_ = handles_.node.advertise<sensor_msgs::PointCloud2>("weld_points", 1, true);
   markers_ = handles_.node.advertise<visualization_msgs::MarkerArray>("weld_markers", 1, true);
   section_marker_ = handles_.node.advertise<visualization_msgs::MarkerArray>("section_markers", 1);
-  toe_left_ = handles_.node.advertise<geometry_msgs::PoseArray>("toe_left", 1, true);
-  toe_right_ = handles_.node.advertise<geometry_msgs::PoseArray>("toe_right", 1, true);
-  crest_ = handles_.node.advertise<geometry_msgs::PoseArray>("crest", 1, true);
-  passes_ = handles_.node.advertise<GrindingPasses>("grinding_passes", 1, true);
-  pass_poses_ = handles_.node.advertise<geometry_msgs::PoseArray>("grinding_poses", 1, true);
-  bead_ = handles_.node.advertise<pcl_msgs::PolygonMesh>("bead_mesh", 1, true);
-  target_ = handles_.node.advertise<pcl_msgs::PolygonMesh>("target_mesh", 1, true);
-  bead_shape_ = handles_.node.advertise<shape_msgs::Mesh>("bead_shape", 1, true);
-  target_shape_ = handles_.node.advertise<shape_msgs::Mesh>("target_shape", 1, true);
   updater_.setHardwareID("none");
   updater_.add("weld_measurement", this, &WeldServer::diagnose);
 }
@@ -67,8 +54,7 @@ WeldServer::~WeldServer()
 
 void WeldServer::subscribe()
 {
-  if (!params_.output_frame.empty())
-    listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_);
+  grinding_.listen();
   worker_ = std::thread([this] { work(); });
   second_ = handles_.node.createWallTimer(ros::WallDuration(1.0),
                                           [this](const ros::WallTimerEvent&) { updater_.force_update(); });
@@ -89,50 +75,21 @@ void WeldServer::cancelOrder()
   order_ = Order{};
 }
 
-void WeldServer::watch()
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  travel_ = Travel{};
-  travel_.moved = ros::WallTime::now();
-}
-
-WeldServer::Travel WeldServer::travel() const
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return travel_;
-}
-
 void WeldServer::onProfile(const sensor_msgs::PointCloud2ConstPtr& cloud)
 try
 {
   const Profile profile = profileFromCloud(*cloud);
-  double yaw = 0.0;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!profile.points.empty())
-    {
-      if (travel_.profiles == 0)
-        travel_.first = travel_.last = profile.stage;
-      if (std::abs(profile.stage - travel_.last) > kMoved)
-      {
-        travel_.last = profile.stage;
-        travel_.moved = ros::WallTime::now();
-      }
-    }
-    ++travel_.profiles;
-    travel_.age = (ros::Time::now() - cloud->header.stamp).toSec();
-    yaw = yaw_;
-  }
+  travel_.add(profile, (ros::Time::now() - cloud->header.stamp).toSec());
   if (measured_.getNumSubscribers() == 0 && section_marker_.getNumSubscribers() == 0)
     return;
-  const WeldSection section = evaluator_->measurer().measureRow(profile, yaw);
+  const WeldSection section = evaluator_->measurer().measureRow(profile, yaw_);
   auto message = boost::make_shared<WeldMeasurement>();
   message->header = cloud->header;
   message->type = WeldMeasurement::LIVE;
   message->sections.push_back(sectionMessage(section, nullptr));
   measured_.publish(WeldMeasurementConstPtr(message));
   if (section_marker_.getNumSubscribers() > 0)
-    section_marker_.publish(sectionMarkers(section, cloud->header));
+    section_marker_.publish(sectionMarkers(section, profile, cloud->header));
 }
 catch (const PreconditionError& error)
 {
@@ -210,6 +167,7 @@ WeldOutcome WeldServer::evaluate(const Job& job, const sensor_msgs::PointCloud2&
   const Scan scan = scanFromCloud(cloud);
   const WeldEvaluation evaluation = job.order.evaluator->evaluate(scan);
   WeldOutcome outcome;
+  outcome.asked = evaluation.verdict.asked;
   outcome.summary = measurementMessage(evaluation);
   outcome.summary.header = cloud.header;
   outcome.summary.weld_id = job.order.weld_id;
@@ -231,56 +189,15 @@ WeldOutcome WeldServer::evaluate(const Job& job, const sensor_msgs::PointCloud2&
 }
 
 void WeldServer::publish(const Scan& scan, const WeldEvaluation& evaluation, WeldOutcome& outcome)
+try
 {
   summary_.publish(boost::make_shared<const WeldMeasurement>(outcome.summary));
   measured_.publish(boost::make_shared<const WeldMeasurement>(outcome.summary));
   markers_.publish(weldMarkers(evaluation, outcome.summary.header));
-  handOver(scan, evaluation, outcome);
-}
-
-/// @throws InputError when there is no transform: nothing is given out in a frame that nobody asked for.
-Eigen::Isometry3d WeldServer::outputFrom(const std_msgs::Header& header) const
-{
-  if (params_.output_frame.empty() || params_.output_frame == header.frame_id)
-    return Eigen::Isometry3d::Identity();
-  try
-  {
-    const geometry_msgs::Transform moved =
-        transforms_.lookupTransform(params_.output_frame, header.frame_id, header.stamp, ros::Duration(kTransformTime))
-            .transform;
-    const Eigen::Quaterniond rotation(moved.rotation.w, moved.rotation.x, moved.rotation.y, moved.rotation.z);
-    return Eigen::Translation3d(moved.translation.x, moved.translation.y, moved.translation.z) * rotation.normalized();
-  }
-  catch (const tf2::TransformException& error)
-  {
-    throw InputError("no transform from " + header.frame_id + " to output_frame " + params_.output_frame +
-                     " at the scan's stamp (" + error.what() + "): passes, meshes and weld_points are not given out");
-  }
-}
-
-/// What grinding takes, in output_frame.
-void WeldServer::handOver(const Scan& scan, const WeldEvaluation& evaluation, WeldOutcome& outcome)
-try
-{
-  std_msgs::Header header = outcome.summary.header;
-  const Eigen::Isometry3d output = outputFrom(header);
-  const sensor_msgs::PointCloud2Ptr cloud = weldCloud(scan, evaluation.result);
-  if (!params_.output_frame.empty())
-    header.frame_id = params_.output_frame;
-  transformCloud(*cloud, output, header.frame_id);
-  points_.publish(sensor_msgs::PointCloud2ConstPtr(cloud));
-  const GrindingPlan plan = transformed(evaluation.plan, output, header.frame_id);
-  GrindingPasses passes = passesMessage(plan, header);
-  passes.weld_id = outcome.summary.weld_id;
-  passes_.publish(passes);
-  pass_poses_.publish(passPoses(plan, header));
-  toe_left_.publish(poseArray(plan.toe_left, header));
-  toe_right_.publish(poseArray(plan.toe_right, header));
-  crest_.publish(poseArray(plan.crest, header));
-  bead_.publish(polygonMessage(plan.bead, header));
-  target_.publish(polygonMessage(plan.target, header));
-  bead_shape_.publish(shapeMessage(plan.bead));
-  target_shape_.publish(shapeMessage(plan.target));
+  if (const WeldSection* middle = middleSection(evaluation.result))
+    section_marker_.publish(
+        sectionMarkers(*middle, scan.rows[static_cast<std::size_t>(middle->row)], outcome.summary.header));
+  grinding_.publish(scan, evaluation, outcome.summary);
 }
 catch (const InputError& error)
 {

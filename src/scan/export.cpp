@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include <pcl/console/print.h>
-#include <pcl/io/ply_io.h>
 
 #include "pcd_file.h"
 #include "weld_profiler/core/atomic_file.h"
@@ -39,38 +38,27 @@ private:
   pcl::console::VERBOSITY_LEVEL level_;
 };
 
-/// PCL reports a full disk by exception, by return value or not at all: what is on the disk decides.
-/// @param marker  ends the file's header.
-void requireData(const AtomicFile& file, const std::string& marker, std::uintmax_t data_bytes)
-{
-  std::ifstream stream(file.temporaryPath(), std::ios::binary);
-  std::string head(4096, '\0');
-  stream.read(&head[0], static_cast<std::streamsize>(head.size()));
-  const std::size_t found = head.find(marker);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file.temporaryPath(), error);
-  if (found == std::string::npos || error || size < found + marker.size() + data_bytes)
-    throw file.failure("the file came out short, is the disk full?");
-}
-
-/// What PCL refuses to write: a cloud without a point.
-std::string emptyPly()
-{
-  std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex 0\n";
-  for (const CloudField& field : kCloudFields)
-    text += std::string("property ") + (field.is_float ? "float " : "uchar ") + field.name + "\n";
-  return text + "end_header\n";
-}
-
-void writePly(const Scan& scan, AtomicFile& file)
+/// Written here, not by PCL: its writer knows no comments, and reports a full disk by exception, by return value or not
+/// at all.
+void writePly(const Scan& scan, const AtomicFile& file, const std::vector<std::string>& comments)
 {
   const std::vector<CloudRecord> records = validRecords(scan);
-  if (records.empty())
-    return file.write(emptyPly());
-  const pcl::PCLPointCloud2 cloud = pclCloud(records, records.size());
-  if (pcl::PLYWriter().writeBinary(file.temporaryPath(), cloud) != 0)
-    throw file.failure("PCL could not write it");
-  requireData(file, "end_header\n", records.size() * (sizeof(CloudRecord) - sizeof(CloudRecord::padding)));
+  std::string head = "ply\nformat binary_little_endian 1.0\n";
+  for (const std::string& comment : comments)
+    head += "comment " + comment + "\n";
+  head += "element vertex " + std::to_string(records.size()) + "\n";
+  for (const CloudField& field : kCloudFields)
+    head += std::string("property ") + (field.is_float ? "float " : "uchar ") + field.name + "\n";
+  head += "end_header\n";
+  errno = 0;
+  std::ofstream out(file.temporaryPath(), std::ios::binary | std::ios::trunc);
+  out.write(head.data(), static_cast<std::streamsize>(head.size()));
+  constexpr std::streamsize kBytes = sizeof(CloudRecord) - sizeof(CloudRecord::padding);
+  for (const CloudRecord& record : records)
+    out.write(reinterpret_cast<const char*>(&record), kBytes);
+  out.close();
+  if (!out)
+    throw file.failure(errno != 0 ? std::strerror(errno) : "write failed, is the disk full?");
 }
 
 void writeCsvFile(const Scan& scan, const AtomicFile& file)
@@ -89,9 +77,13 @@ std::vector<std::string> scanFormats()
   return { "pcd", "ply", "csv" };
 }
 
-void saveScan(const Scan& scan, const std::string& path, const std::string& format)
+void saveScan(const Scan& scan, const std::string& path, const std::string& format,
+              const std::vector<std::string>& comments)
 {
   requireOneOf("format", format, scanFormats());
+  for (const std::string& comment : comments)
+    if (comment.find_first_of("\r\n") != std::string::npos)
+      throw PreconditionError("a comment of " + path + " has a line break, must be one line");
   if (scan.empty() || scan.cells == 0)
     throw InputError("cannot write " + path + ": the scan holds no row; scan first");
   AtomicFile file(path);
@@ -99,9 +91,9 @@ void saveScan(const Scan& scan, const std::string& path, const std::string& form
   try
   {
     if (format == "pcd")
-      writePcd(pclCloud(organisedRecords(scan), scan.cells), file);
+      writePcd(pclCloud(organisedRecords(scan), scan.cells), file, comments);
     else if (format == "ply")
-      writePly(scan, file);
+      writePly(scan, file, comments);
     else
       writeCsvFile(scan, file);
   }

@@ -31,7 +31,8 @@ std::vector<LabelledRecord> labelledRecords(const Scan& scan, const ScanLabels& 
   return records;
 }
 
-void saveLabelledScan(const Scan& scan, const ScanLabels& labels, const std::string& path)
+void saveLabelledScan(const Scan& scan, const ScanLabels& labels, const std::string& path,
+                      const std::vector<std::string>& comments)
 {
   const std::vector<LabelledRecord> records = labelledRecords(scan, labels);
   pcl::PCLPointCloud2 cloud = emptyPclCloud(scan.cells, scan.rows.size(), sizeof(LabelledRecord));
@@ -40,7 +41,7 @@ void saveLabelledScan(const Scan& scan, const ScanLabels& labels, const std::str
   if (!records.empty())
     std::memcpy(cloud.data.data(), records.data(), cloud.data.size());
   AtomicFile file(path);
-  writePcd(cloud, file);
+  writePcd(cloud, file, comments);
   file.commit();
 }
 }  // namespace weld_profiler

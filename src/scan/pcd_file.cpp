@@ -32,11 +32,15 @@ void addField(pcl::PCLPointCloud2& cloud, const char* name, std::uint32_t offset
   cloud.fields.push_back(description);
 }
 
-void writePcd(const pcl::PCLPointCloud2& cloud, const AtomicFile& file)
+void writePcd(const pcl::PCLPointCloud2& cloud, const AtomicFile& file, const std::vector<std::string>& comments)
 {
-  const std::string header =
+  std::string header =
       pcl::PCDWriter().generateHeaderBinary(cloud, Eigen::Vector4f::Zero(), Eigen::Quaternionf::Identity()) +
       "DATA binary\n";
+  std::string remarks;
+  for (const std::string& comment : comments)
+    remarks += "# " + comment + "\n";
+  header.insert(header.find('\n') + 1, remarks);  // behind the line that names the format
   errno = 0;
   std::ofstream out(file.temporaryPath(), std::ios::binary | std::ios::trunc);
   out.write(header.data(), static_cast<std::streamsize>(header.size()));

@@ -7,7 +7,9 @@
 #include "tools/run_command.h"
 #include "tools/staged_output.h"
 #include "tools/weld_output.h"
+#include "weld_profiler/core/checksum.h"
 #include "weld_profiler/ros/calibration_url.h"
+#include "weld_profiler/ros/origin.h"
 #include "weld_profiler/ros/scan_server.h"
 #include "weld_profiler/ros/stripe_worker.h"
 #include "weld_profiler/ros/weld_server.h"
@@ -80,14 +82,22 @@ BagScanParams bagScanParams(const Options& options, WeldServerParams& weld)
   return params;
 }
 
+Origin originOf(const Scan& scan, Origin origin)
+{
+  origin.frame_id = scan.frame_id;
+  return origin;
+}
+
 /// scan.pcd for the first scan of the bag, scan_2.pcd for the second (after a reversal or max_rows), ...
-void writeScans(const BagScanResult& result, const std::filesystem::path& directory, StagedOutput& output)
+void writeScans(const BagScanResult& result, const Origin& origin, const std::filesystem::path& directory,
+                StagedOutput& output)
 {
   for (std::size_t i = 0; i < result.scans.size(); ++i)
   {
     const std::string stem = i == 0 ? "scan" : "scan_" + std::to_string(i + 1);
     for (const char* format : { "pcd", "ply" })
-      saveScan(result.scans[i], output.file((directory / stem).string().append(".").append(format)), format);
+      saveScan(result.scans[i], output.file((directory / stem).string().append(".").append(format)), format,
+               originOf(result.scans[i], origin).comments());
   }
 }
 
@@ -122,11 +132,23 @@ std::size_t pointCount(const BagScanResult& result)
   return points;
 }
 
-void writeSummaryFile(const BagScanResult& result, const std::filesystem::path& directory, StagedOutput& output)
+JsonObject summaryOf(const BagScanResult& result, const BagScanParams& params, const WeldRecordInfo& info)
 {
+  JsonObject calibration, settings;
+  calibration.add("file", info.calibration.file).add("hash", info.calibration.hash).add("date", info.calibration.date);
+  settings.add("stripe_centre", jsonOf(params.stripe)).add("triangulation", jsonOf(params.chain));
   JsonObject json = summary(result.balance);
   json.add("frames_missing_in_bag", result.frame_gaps);
   json.add("scans", static_cast<std::uint64_t>(result.scans.size()));
+  return json.add("software", software())
+      .add("id", info.weld_id)
+      .add("calibration", calibration)
+      .add("settings", settings)
+      .add("settings_hash", checksum(yamlOf(params.stripe) + yamlOf(params.chain)));
+}
+
+void writeSummaryFile(const JsonObject& json, const std::filesystem::path& directory, StagedOutput& output)
+{
   writeSummary(json, output.file((directory / "summary.json").string()));
 }
 
@@ -161,17 +183,20 @@ WeldTask weldTask(const Options& options, const WeldSettings& settings)
 int scan(const Options& options)
 {
   requireRange("--max-drop", options.max_drop, 0.0, 1.0);
+  requireWeldId(options.weld_id);
   WeldServerParams weld;
   const BagScanParams params = bagScanParams(options, weld);
   const BagScanResult result = scanBag(params);
   makeOutputDirectory(options.out);
   StagedOutput output;
-  writeScans(result, options.out, output);
-  writeSummaryFile(result, options.out, output);
+  const WeldTask task = weldTask(options, weld.settings);
+  const std::string settings = yamlOf(params.stripe) + yamlOf(params.chain);
+  writeScans(result, Origin{ options.weld_id, "", task.info.calibration.hash, settings }, options.out, output);
+  writeSummaryFile(summaryOf(result, params, task.info), options.out, output);
   output.commit();
   removeStaleClouds(result.scans.size(), options.out);
   if (!options.no_weld)
-    measureWelds(result.scans, weldTask(options, weld.settings));
+    measureWelds(result.scans, task);
   return report(result, options);
 }
 }  // namespace

@@ -1,7 +1,9 @@
 #include "tools/weld_output.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 #include "tools/staged_output.h"
 
@@ -9,17 +11,45 @@ namespace weld_profiler
 {
 namespace
 {
+constexpr double kMillimetres = 1e3;
+
+/// `bead_on_plate, 144 of 150 sections measured`
+std::string measured(const WeldResult& result)
+{
+  const auto count = std::count_if(result.sections.begin(), result.sections.end(),
+                                   [](const WeldSection& section) { return section.hasBead(); });
+  return std::string(name(result.kind)) + ", " + std::to_string(count) + " of " +
+         std::to_string(result.sections.size()) + " sections measured";
+}
+
+/// Beads that were seen and not measured, where the first of them lies.
+std::string others(const WeldResult& result)
+{
+  if (result.other_beads.empty())
+    return "";
+  const OtherBead& first = result.other_beads.front();
+  std::ostringstream text;
+  text.precision(3);
+  text << "; not measured: another bead at x " << kMillimetres * first.x << " mm, y " << kMillimetres * first.y_from
+       << " to " << kMillimetres * first.y_to << " mm";
+  if (result.other_beads.size() > 1)
+    text << " and " << result.other_beads.size() - 1 << " more";
+  return text.str();
+}
+
 /// One line: kind, verdict, what a reader must know.
 std::string outcome(const WeldEvaluation& evaluation)
 {
   const WeldResult& result = evaluation.result;
   if (!result.hasWeld())
     return "no weld: " + result.reason;
-  std::string text = std::string(name(result.kind)) + ", " + std::to_string(result.sections.size()) + " sections";
-  text += ", verdict " + (evaluation.verdict.verdict.empty() ? std::string("none") : evaluation.verdict.verdict);
+  std::string text = measured(result) + ", verdict " +
+                     (evaluation.verdict.verdict.empty() ? std::string("none") : evaluation.verdict.verdict);
+  if (evaluation.verdict.verdict.empty() && !evaluation.verdict.notes.empty())
+    text += " (" + evaluation.verdict.notes.front() + ")";
   if (evaluation.verdict.unverified)
     text += " (rests on limits that were not verified)";
-  return text + (result.reason.empty() ? "" : "; " + result.reason);
+  return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
 }
 }  // namespace
 

@@ -22,8 +22,9 @@ double foreshortening(const ToePair& toes)
 Lanes::Lanes(const WeldLattice& lattice, const Layer& layer, const GrindingParams& params)
   : left_(std::numeric_limits<double>::infinity()),
     right_(-std::numeric_limits<double>::infinity()),
-    margin_(params.margin),
-    half_tool_(0.5 * params.tool_width)
+    margin_(layer.corner ? 0.0 : params.margin),
+    half_tool_(0.5 * params.tool_width),
+    corner_(layer.corner)
 {
   double widest = 0.0;
   for (int i = 0; i < lattice.rowCount(); ++i)
@@ -57,10 +58,18 @@ Lanes::Span Lanes::span(const ToePair& toes) const
   return { from, (to - from) / (count_ - 1) };
 }
 
+bool Lanes::fits(const ToePair& toes) const
+{
+  return !corner_ || toes.width() >= 2.0 * half_tool_ * foreshortening(toes);
+}
+
 double Lanes::middle(const ToePair& toes, int lane) const
 {
   const Span lanes = span(toes);
-  return lanes.from + lane * lanes.step;
+  const double middle = lanes.from + lane * lanes.step, inset = half_tool_ * foreshortening(toes);
+  if (!corner_ || !fits(toes))
+    return middle;
+  return std::min(std::max(middle, toes.left + inset), toes.right - inset);
 }
 
 int Lanes::laneOf(const ToePair& toes, double q) const

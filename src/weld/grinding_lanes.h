@@ -12,9 +12,10 @@ namespace weld
 /// A layer of removal: what stands above the target by more than `level`, at most `depth` of it.
 struct Layer
 {
-  int index = 0;       ///< from 0 = the uppermost
-  double level = 0.0;  ///< of what is left, above the target [m]
-  double depth = 0.0;  ///< [m]
+  int index = 0;        ///< from 0 = the uppermost
+  double level = 0.0;   ///< of what is left, above the target [m]
+  double depth = 0.0;   ///< [m]
+  bool corner = false;  ///< the parents rise beside the toes: lanes stay between these
 
   double of(double to_remove) const
   {
@@ -27,10 +28,13 @@ struct Layer
 class Lanes
 {
 public:
-  /// Lanes over all of the layer's material; in the last layer over the whole bead and the margin.
+  /// Lanes over all of the layer's material; in the last layer over the whole bead and, unless in a corner, the margin.
   Lanes(const WeldLattice& lattice, const Layer& layer, const GrindingParams& params);
 
   int count() const { return count_; }
+
+  /// Whether the tool has room there; in a corner it must not be wider than the face.
+  bool fits(const ToePair& toes) const;
 
   /// Middle of a lane.
   double middle(const ToePair& toes, int lane) const;
@@ -47,6 +51,7 @@ private:
 
   double left_ = 0.0, right_ = 0.0;  ///< of the material, shares of the width: 0 = left toe, 1 = right toe
   double margin_ = 0.0, half_tool_ = 0.0;
+  bool corner_ = false;
   int count_ = 0;
 };
 }  // namespace weld

@@ -97,13 +97,16 @@ private:
     const Share& share = shares_[at(place, lane)];
     if (!shape_.toes().has(s) || share.known < kLeastKnown * share.nodes)
       return station;
-    const double q = lanes_.middle(shape_.toes().at(s), lane);
+    const ToePair toes = shape_.toes().at(s);
+    if (!lanes_.fits(toes))
+      return station;
+    const double q = lanes_.middle(toes, lane);
     const HeightSample target = shape_.targetBetween(s, q);
     if (!target.known || !shape_.bead(s, q).known)
       return station;
     station.passable = true;
     station.work = share.removal > params_.min_removal;
-    station.point.pose = poseAt(shape_.frame(), { q, s }, target.z + layer_.level, target);
+    station.point.pose = poseAt(shape_.frame(), { q, s }, target.z + layer_.level * steepness(target), target);
     station.point.removal = share.removal;
     station.point.volume = share.volume;
     return station;
@@ -125,6 +128,8 @@ private:
         --first;
       if (first == last && last + 1 < stations.size() && stations[last + 1].passable)
         ++last;
+      if (first == last)
+        continue;  // no room to travel
       passes.push_back(passOf(stations, first, last));
       passes.back().lane = lane;
     }
@@ -179,6 +184,31 @@ private:
   std::vector<double> places_;
   std::vector<Share> shares_;  ///< places x lanes
 };
+/// Of the face, the widest there is.
+double widestFace(const WeldShape& shape)
+{
+  double widest = 0.0;
+  for (const ToePair& toes : shape.toes().pairs())
+    widest = std::max(widest, std::hypot(toes.width(), toes.z_right - toes.z_left));
+  return widest;
+}
+
+/// What the passes do not remove, and why; empty when it is next to nothing.
+std::string leftOver(const WeldShape& shape, const GrindingParams& params, const GrindingPlan& plan)
+{
+  if (plan.planned_volume >= kAlmostAll * plan.removal_volume)
+    return "";
+  std::ostringstream text;
+  const double widest = widestFace(shape);
+  if (shape.corner() && widest < params.tool_width)
+    text << "tool_width " << 1e3 * params.tool_width << " mm is more than the face between the parents ("
+         << 1e3 * widest << " mm): the tool would cut into them, take a narrower one";
+  else
+    text << "the passes remove " << std::lround(100.0 * plan.planned_volume / plan.removal_volume)
+         << " % of what stands above the target: the rest lies beside holes in the data"
+         << (shape.corner() ? " or where the tool does not fit between the parents" : "");
+  return text.str();
+}
 }  // namespace
 
 void addPasses(const WeldShape& shape, const WeldLattice& lattice, const GrindingParams& params, GrindingPlan& plan)
@@ -204,18 +234,13 @@ void addPasses(const WeldShape& shape, const WeldLattice& lattice, const Grindin
   plan.layers = static_cast<int>(layers);
   for (int k = 0; k < plan.layers; ++k)
   {
-    const Layer layer{ k, (plan.layers - 1 - k) * params.depth_per_pass, params.depth_per_pass };
+    const Layer layer{ k, (plan.layers - 1 - k) * params.depth_per_pass, params.depth_per_pass, shape.corner() };
     LayerPlanner(shape, lattice, params, layer)(plan.passes);
   }
   for (const GrindingPass& pass : plan.passes)
     for (const GrindingPoint& point : pass.points)
       plan.planned_volume += point.volume;
-  if (plan.planned_volume < kAlmostAll * plan.removal_volume)
-  {
-    reason << "the passes remove " << std::lround(100.0 * plan.planned_volume / plan.removal_volume)
-           << " % of what stands above the target: the rest lies beside holes in the data";
-    plan.reason = reason.str();
-  }
+  plan.reason = leftOver(shape, params, plan);
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct HeightSample
   double z = 0.0;                    ///< [m]
   double along = 0.0, across = 0.0;  ///< slope: dz/ds, dz/dq
 };
+
+/// Of a height along z over the same along the surface's normal; 1 where it is not known.
+inline double steepness(const HeightSample& surface)
+{
+  return surface.known ? std::sqrt(1.0 + surface.along * surface.along + surface.across * surface.across) : 1.0;
+}
 
 /// A surface told from scattered points: at a place, what fits the points around it best, near ones counting most
 /// (local regression, weights (1 - (r / radius)^2)^2: W. S. Cleveland, S. J. Devlin, "Locally Weighted Regression",

@@ -11,6 +11,8 @@ namespace weld_profiler
 namespace
 {
 constexpr double kMmPerMetre = 1000.0;
+constexpr double kThickest = 0.3;    // in one pass of electron beams: what is above was given in another unit [m]
+constexpr double kShortWeld = 5e-3;  // a verdict on less says little of a weld [m]
 
 /// From the first section with a bead to the last.
 std::vector<WeldSection> withBead(const std::vector<WeldSection>* sections)
@@ -56,8 +58,20 @@ void noteThickness(const WeldJudge& judge, std::vector<std::string>& notes)
   else if (*t < judge.limits().leastThickness() - 1e-9)
     text << "thickness " << *t * kMmPerMetre << " mm is below the scope of " << judge.limits().standard() << " ("
          << judge.limits().leastThickness() * kMmPerMetre << " mm): measured, not judged";
+  else if (*t > kThickest)
+    text << "thickness " << *t * kMmPerMetre << " mm is more than is welded: is it given in metres?";
   else
     return;
+  notes.push_back(text.str());
+}
+
+void noteLength(const WeldVerdict& verdict, std::vector<std::string>& notes)
+{
+  if (verdict.length >= kShortWeld)
+    return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "only " << verdict.length * kMmPerMetre << " mm of weld were seen: the verdict is about no more than these";
   notes.push_back(text.str());
 }
 
@@ -124,6 +138,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
   }
   conclude(*this, parts, result);
   noteThickness(*this, result.notes);
+  noteLength(result, result.notes);
   noteRows(*this, result, result.notes);
   return result;
 }

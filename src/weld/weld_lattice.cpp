@@ -95,16 +95,20 @@ void sample(const WeldShape& shape, const LatticeRow& row, int i, WeldLattice& l
         bead = row.toes.z_left;  // the face ends there, by definition; told from one side it would be rough
       else if (std::isfinite(bead) && q == row.toes.right)
         bead = row.toes.z_right;
+      const HeightSample between = shape.targetBetween(s, q);
       if (std::isnan(target))
-        target = leavable(height(shape.targetBetween(s, q)), row.toes.chord(q), bead);
+        target = leavable(height(between), row.toes.chord(q), bead);
       lattice.bead[at] = bead;
-      lattice.to_remove[at] = std::isfinite(bead) && std::isfinite(target) ? std::max(0.0, bead - target) : kNaN;
+      const double upright = std::isfinite(bead) && std::isfinite(target) ? std::max(0.0, bead - target) : kNaN;
+      lattice.area[at] = steepness(between);
+      lattice.to_remove[at] = upright / lattice.area[at];
     }
     lattice.target[at] = target;
   }
 }
 
 /// Shares of the nodes between the toes; rows at an end have half a step.
+/// @pre  area holds how much larger a piece of the target is than it looks from above.
 void shareArea(int i, WeldLattice& lattice)
 {
   const LatticeRow& row = lattice.rows[static_cast<std::size_t>(i)];
@@ -122,7 +126,7 @@ void shareArea(int i, WeldLattice& lattice)
                                ? std::hypot(lattice.x[b] - lattice.x[a], lattice.y[b] - lattice.y[a]) / (after - before)
                                : lattice.step_s;
     const bool end = i == 0 || i + 1 == lattice.rowCount();
-    lattice.area[at] = 0.5 * (to - from) * per_row * (end ? 0.5 : 1.0);
+    lattice.area[at] *= 0.5 * (to - from) * per_row * (end ? 0.5 : 1.0);
   }
 }
 /// Rows from the first toes to the last. @return false when the weld is shorter than a step.

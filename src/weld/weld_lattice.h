@@ -32,8 +32,8 @@ struct WeldLattice
   std::vector<double> q, x, y;    ///< rows x columns
   std::vector<double> bead;       ///< z of the bead, from toe to toe
   std::vector<double> target;     ///< z of the target as far as grinding can leave it: never above bead and parents
-  std::vector<double> to_remove;  ///< bead above the target, >= 0 [m]
-  std::vector<double> area;       ///< of the node's share, seen from above; between the toes, else 0 [m^2]
+  std::vector<double> to_remove;  ///< bead above the target, along its normal, >= 0 [m]
+  std::vector<double> area;       ///< of the node's share of the target; between the toes, else 0 [m^2]
 
   std::size_t at(int row, int column) const
   {

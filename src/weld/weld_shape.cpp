@@ -100,6 +100,7 @@ WeldShape::WeldShape(const Scan& scan, const WeldResult& result, const WeldSurfa
     return;
   }
   requireSame(scan, result);
+  corner_ = result.kind == WeldKind::Fillet;
   reason_ = findPath(result);
   if (reason_.empty())
     reason_ = findSurfaces(scan, result, params);

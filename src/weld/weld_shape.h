@@ -23,6 +23,9 @@ public:
   /// Why there is nothing to be had; empty = all is well. Nothing else may be asked for when there is a reason.
   const std::string& reason() const { return reason_; }
 
+  /// The parents rise beside the toes: what is wider than the face does not reach it.
+  bool corner() const { return corner_; }
+
   const PathFrame& frame() const { return *frame_; }
   const ToeTrack& toes() const { return *toes_; }
 
@@ -37,6 +40,7 @@ private:
   std::string findSurfaces(const Scan& scan, const WeldResult& result, const WeldSurfaceParams& params);
 
   std::string reason_;
+  bool corner_ = false;
   std::unique_ptr<PathFrame> frame_;
   std::unique_ptr<ToeTrack> toes_;
   std::unique_ptr<LocalSurface> bead_, between_, beside_;

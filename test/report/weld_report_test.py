@@ -13,7 +13,8 @@ import numpy as np
 from report_case import SCRIPTS, ReportCase
 from weld_folder import COLUMNS, Weld, write_csv, write_folder, write_json
 
-from report.limits import height_limits  # found through report_case
+from report.cut import Cut  # found through report_case
+from report.limits import height_limits
 from report.weld_folder import WeldFolder
 
 UNVERIFIED = "rests on limits that were not verified"
@@ -72,6 +73,34 @@ class WhatIsShown(Case):
         self.write("verdict.csv", text.replace("unverified", "read"))
         self.rewrite_sections(lambda row: row.update({"verdict_source": "read"}))
         self.assertNotIn(UNVERIFIED, self.page().text)
+
+    def test_says_why_a_verdict_is_open(self):
+        self.make(rows=30, cells=300)
+        self.edit(lambda record: record["verdict"].update({"overall": "undecided", "asked": "", "asked_decision": "not_judged"}))
+        with open(self.path("verdict.csv")) as file:
+            rows = list(csv.DictReader(file))
+        deciding = [row for row in rows if row["imperfection"] == "excess_weld_metal" and row["level"] == "D"]
+        self.assertEqual(len(deciding), 1)
+        near, little = "A limit lies within two standard deviations", "Too little of the weld was measured"
+        for margin, sentence, other in (("0.001", near, little), ("1.2", little, near)):
+            deciding[0].update({"decision": "undecided", "margin_mm": margin, "sigma_margin_mm": "0.006"})
+            write_csv(self.path("verdict.csv"), list(rows[0]), rows)
+            page = self.page()
+            self.assertIn(sentence, page.text)
+            self.assertNotIn(other, page.text)
+
+    def test_draws_no_parent_line_through_what_is_no_base_metal(self):
+        self.make("bead_on_plate")
+        folder = WeldFolder(self.folder)
+        index = len(self.sections) // 2
+        clean = Cut(folder, index).line_right
+        labels = folder.cloud.labels().copy()
+        labels[:, 530:700] = 0  # a bead beside it, most of what is seen of the plate
+        folder.cloud.labels = lambda: labels
+        folder.cloud.z[:, 530:700] += 0.8
+        found = Cut(folder, index).line_right
+        self.assertAlmostEqual(found[0], clean[0], delta=0.004)
+        self.assertAlmostEqual(found[1], clean[1], delta=0.02)
 
     def test_shows_the_numbers_of_the_files(self):
         self.make()

@@ -186,6 +186,25 @@ TEST(SavedCsv, IsALineAPointInMetres)
   EXPECT_EQ(rest, 3);
 }
 
+TEST(SavedClouds, HoldTheirCommentsAndAreReadAllTheSame)
+{
+  const TemporaryFolder folder;
+  const std::vector<std::string> comments = { "weld K-17", "calibration 0123456789abcdef", "" };
+  for (const std::string format : { "pcd", "ply" })
+  {
+    const std::string path = folder.file("scan." + format);
+    saveScan(someScan(), path, format, comments);
+    const std::string head = readText(path).substr(0, 200);
+    const std::string mark = format == "pcd" ? "\n# " : "\ncomment ";
+    EXPECT_NE(head.find(mark + comments[0] + mark + comments[1] + mark), std::string::npos) << head;
+    pcl::PCLPointCloud2 cloud;
+    ASSERT_EQ(format == "pcd" ? pcl::io::loadPCDFile(path, cloud) : pcl::io::loadPLYFile(path, cloud), 0);
+    EXPECT_EQ(field(cloud, format == "pcd" ? 4 : 1, "z"), 0.31F);
+    EXPECT_THROW(saveScan(someScan(), path, format, { "two\nlines" }), PreconditionError);
+    EXPECT_EQ(readText(path).substr(0, 200), head) << "the file stays";
+  }
+}
+
 TEST_P(EveryFormat, GivesTheSameBytesForTheSameScan)
 {
   const TemporaryFolder folder;

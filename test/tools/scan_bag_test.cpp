@@ -2,13 +2,12 @@
 #include <functional>
 #include <limits>
 
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <yaml-cpp/yaml.h>
 
+#include "bag_rewrite.h"
 #include "run_command_line.h"
 
 namespace weld_profiler
@@ -47,17 +46,7 @@ protected:
   template <class Message>
   void rewrite(const std::string& target, const std::function<bool(std::size_t, Message&)>& change) const
   {
-    rosbag::Bag source(path("weld.bag"), rosbag::bagmode::Read);
-    rosbag::Bag bag(path(target), rosbag::bagmode::Write);
-    std::size_t index = 0;
-    for (const rosbag::MessageInstance& message : rosbag::View(source))
-    {
-      const boost::shared_ptr<Message> changed = message.instantiate<Message>();
-      if (!changed)
-        bag.write(message.getTopic(), message.getTime(), message);
-      else if (change(index++, *changed))
-        bag.write(message.getTopic(), message.getTime(), *changed);
-    }
+    rewriteBag<Message>(path("weld.bag"), path(target), change);
   }
 
   /// frames_in = rows + no_stripe + skipped + unplaced + dropped.
@@ -74,11 +63,11 @@ protected:
   }
 };
 
-/// What a bag with one scan leaves, where the weld has no mesh.
+/// What a bag with one scan of a weld leaves.
 std::vector<std::string> weldFiles()
 {
-  return { "passes.csv",   "report.html", "report.png", "scan.pcd",  "scan.ply",       "spots.csv",
-           "summary.json", "verdict.csv", "weld.csv",   "weld.json", "weld_points.pcd" };
+  return { "bead.ply",     "passes.csv", "report.html", "report.png", "scan.pcd",  "scan.ply",       "spots.csv",
+           "summary.json", "target.ply", "verdict.csv", "weld.csv",   "weld.json", "weld_points.pcd" };
 }
 
 TEST_F(ScanBag, LeavesCloudAndBalance)

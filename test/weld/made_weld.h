@@ -26,7 +26,9 @@ struct MadeWeld
   double rest = 0.0;          ///< target above flush
   double sigma = 0.0;         ///< of z
   double narrowing = 0.0;     ///< of the width, per metre along the weld
-  bool flipped = false;       ///< the stage runs toward -y and the camera is turned: rows and cells the other way
+  double slope_left = 0.0;    ///< of the plate, rising outward; a fillet's
+  double slope_right = 0.0;
+  bool flipped = false;  ///< the stage runs toward -y and the camera is turned: rows and cells the other way
   struct Hole
   {
     double s_from, s_to, q_from, q_to;
@@ -39,7 +41,12 @@ struct MadeWeld
   double middleY() const { return 0.5 * (rows - 1) * pitch; }
   double widthAt(double s) const { return width - narrowing * s; }
   double chord(double s, double q) const { return -misalignment * std::min(1.0, std::max(0.0, q / widthAt(s) + 0.5)); }
-  double flush(double s, double q) const { return chord(s, q); }
+  bool fillet() const { return slope_left > 0.0 || slope_right > 0.0; }
+  double plates(double s, double q) const
+  {
+    return std::max(0.0, std::abs(q) - 0.5 * widthAt(s)) * (q < 0.0 ? slope_left : slope_right);
+  }
+  double flush(double s, double q) const { return chord(s, q) + plates(s, q); }
   double target(double s, double q) const { return flush(s, q) + (inside(s, q) ? rest : 0.0); }
   bool inside(double s, double q) const { return std::abs(q) <= 0.5 * widthAt(s); }
   double radius(double s) const
@@ -53,7 +60,7 @@ struct MadeWeld
     const double r = radius(s);
     return inside(s, q) ? std::sqrt(r * r - q * q) - (r - height) : 0.0;
   }
-  double surface(double s, double q) const { return chord(s, q) + rise(s, q); }
+  double surface(double s, double q) const { return flush(s, q) + rise(s, q); }
 
   double halfAngle(double s = 0.0) const { return std::asin(0.5 * widthAt(s) / radius(s)); }
   double segmentArea() const { return radius(0.0) * radius(0.0) * (halfAngle() - 0.5 * std::sin(2.0 * halfAngle())); }
@@ -104,7 +111,7 @@ inline MadeWeld& MadeWeld::make()
   result.labels.assign(count, 0);
   result.removal.assign(count, nan);
   result.target.assign(count, nan);
-  result.kind = WeldKind::Butt;
+  result.kind = fillet() ? WeldKind::Fillet : WeldKind::Butt;
   for (int row = 0; row < rows; ++row)
     makeRow(row, generator);
   makeSections();

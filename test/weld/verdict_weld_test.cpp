@@ -139,6 +139,18 @@ TEST(WeldVerdict, SaysWhatIsNotJudgedForWantOfAThickness)
   EXPECT_EQ(rowOf(thin, Imperfection::ExcessWeldMetal, QualityLevel::B).decision, Decision::NotJudged);
 }
 
+TEST(WeldVerdict, WondersAtAThicknessThatNobodyWelds)
+{
+  EXPECT_TRUE(noted(judged(goodWeld(0.05), plate(900.0)), "thickness 900 mm is more than is welded: is it given in"));
+  EXPECT_FALSE(noted(judged(goodWeld(0.05), plate(200.0)), "more than is welded"));
+}
+
+TEST(WeldVerdict, SaysOnHowLittleOfAWeldItIs)
+{
+  EXPECT_TRUE(noted(judged(goodWeld(0.002), plate(4.0)), "mm of weld were seen"));
+  EXPECT_FALSE(noted(judged(goodWeld(0.02), plate(4.0)), "of weld were seen"));
+}
+
 TEST(WeldVerdict, AnswersForTheLevelAskedFor)
 {
   std::vector<WeldSection> sections = goodWeld(0.05);

@@ -12,11 +12,11 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/PointCloud2.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include "weld_profiler/ScanInfo.h"
 #include "weld_profiler/WeldMeasurement.h"
+#include "weld_profiler/ros/grinding_output.h"
+#include "weld_profiler/ros/travel_watch.h"
 #include "weld_profiler/ros/weld_files.h"
 #include "weld_profiler/ros/work_queue.h"
 #include "weld_profiler/weld/weld_evaluation.h"
@@ -56,6 +56,7 @@ struct WeldOrder
 struct WeldOutcome
 {
   WeldMeasurement summary;
+  Decision asked = Decision::NotJudged;  ///< whether the level asked for is met
   std::vector<std::string> files;
   std::string trouble;  ///< what could not be written or given out; empty = nothing
 };
@@ -86,15 +87,9 @@ public:
   void cancelOrder();
 
   /// What has come since the last call of watch().
-  struct Travel
-  {
-    std::uint32_t profiles = 0;
-    double first = 0.0, last = 0.0;  ///< stage positions [m]
-    double age = 0.0;                ///< of the last profile when it came [s]
-    ros::WallTime moved;             ///< when the stage last moved
-  };
-  void watch();
-  Travel travel() const;
+  using Travel = TravelWatch::Travel;
+  void watch() { travel_.restart(); }
+  Travel travel() const { return travel_.travel(); }
 
 private:
   struct Order
@@ -115,25 +110,20 @@ private:
   void measure(const Job& job);
   WeldOutcome evaluate(const Job& job, const sensor_msgs::PointCloud2& cloud);
   void publish(const Scan& scan, const WeldEvaluation& evaluation, WeldOutcome& outcome);
-  void handOver(const Scan& scan, const WeldEvaluation& evaluation, WeldOutcome& outcome);
-  Eigen::Isometry3d outputFrom(const std_msgs::Header& header) const;
   void write(const Scan& scan, const WeldEvaluation& evaluation, const Job& job, WeldOutcome& outcome);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   Handles handles_;
   const WeldServerParams params_;
   std::shared_ptr<const WeldEvaluator> evaluator_;
-  tf2_ros::Buffer transforms_;
-  std::unique_ptr<tf2_ros::TransformListener> listener_;
-  ros::Publisher measured_, summary_, points_, markers_, section_marker_;
-  ros::Publisher toe_left_, toe_right_, crest_, passes_, pass_poses_;
-  ros::Publisher bead_, target_, bead_shape_, target_shape_;
+  GrindingOutput grinding_;
+  ros::Publisher measured_, summary_, markers_, section_marker_;
   diagnostic_updater::Updater updater_;
+  TravelWatch travel_;
+  std::atomic<double> yaw_{ 0.0 };  ///< of the last weld: of the live sections
 
   mutable std::mutex mutex_;  // guards up to the queue
   Order order_;
-  Travel travel_;
-  double yaw_ = 0.0;  ///< of the last weld: of the live sections
   std::uint64_t scans_ = 0, welds_ = 0, lost_ = 0;
   std::string last_;  ///< what was measured last, one line
 

@@ -30,6 +30,9 @@ static_assert(std::is_trivially_copyable<LabelledRecord>::value, "copied as byte
 /// @throws PreconditionError when a map that is not empty has another size than the scan.
 std::vector<LabelledRecord> labelledRecords(const Scan& scan, const ScanLabels& labels);
 
-/// Writes them as an organised, binary PCD, whole or not at all. @throws InputError naming path and cause.
-void saveLabelledScan(const Scan& scan, const ScanLabels& labels, const std::string& path);
+/// Writes them as an organised, binary PCD, whole or not at all.
+/// @param comments  for the file's head, one line each.
+/// @throws InputError naming path and cause.
+void saveLabelledScan(const Scan& scan, const ScanLabels& labels, const std::string& path,
+                      const std::vector<std::string>& comments = {});
 }  // namespace weld_profiler

@@ -25,9 +25,10 @@ using PoseLine = std::vector<SurfacePose>;
 /// One place of a pass.
 struct GrindingPoint
 {
-  SurfacePose pose;      ///< on what this pass leaves
-  double removal = 0.0;  ///< largest depth to remove here, of the strip that is this pass's share [m]
-  double volume = 0.0;   ///< to remove here; over all passes this adds up to the whole [m^3]
+  SurfacePose pose;  ///< on what this pass leaves
+  double removal =
+      0.0;              ///< largest depth to remove here along the pose's z, of the strip that is this pass's share [m]
+  double volume = 0.0;  ///< to remove here; over all passes this adds up to the whole [m^3]
 };
 
 /// One travel of the tool along the weld, in contact all the way.
@@ -55,10 +56,11 @@ struct GrindingPlan
 };
 
 /// Plans how to grind a measured weld down to its target surface: layers from the top down, in each of them lanes side
-/// by side that follow the toes, passes where there is something to remove, none across a hole in the data.
+/// by side that follow the toes, passes where there is something to remove, none across a hole in the data. Depths are
+/// along the target's normal. Of a fillet the target is the chord of the toes, and lanes stay between these: beyond
+/// them the parents rise.
 ///
-/// Says nothing of the robot: no reach, no collision, no tool offset. Removal is a height along z of the cloud's frame,
-/// as in WeldResult::removal; poor for targets steeper than about 30 deg in that frame.
+/// Says nothing of the robot: no reach, no collision beyond that, no tool offset.
 /// @param result  of the same scan. Without a weld the plan is empty and says why.
 /// @throws ConfigError as GrindingParams::validate, PreconditionError when result and scan do not belong together.
 GrindingPlan planGrinding(const Scan& scan, const WeldResult& result, const GrindingParams& params = GrindingParams());

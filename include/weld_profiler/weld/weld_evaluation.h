@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "weld_profiler/core/scan.h"
@@ -39,6 +40,7 @@ struct WeldEvaluation
   WeldResult result;
   std::vector<SectionVerdict> section_verdicts;  ///< one a section of the result
   WeldVerdict verdict;                           ///< empty where there is no weld
+  std::optional<LimitEntry> height_limits;       ///< of the reinforcement or convexity; none = there are none
   GrindingPlan plan;                             ///< without passes where there is no weld
 };
 

@@ -1,0 +1,127 @@
+// The folder a measured weld leaves: complete, and each file says of which weld, calibration and settings it is.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include "support/temporary_folder.h"
+#include "weld/ideal_scan.h"
+#include "weld_profiler/core/checksum.h"
+#include "weld_profiler/core/errors.h"
+#include "weld_profiler/ros/origin.h"
+#include "weld_profiler/ros/weld_files.h"
+
+namespace weld_profiler
+{
+namespace
+{
+std::string readText(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class WeldFiles : public ::testing::Test
+{
+protected:
+  std::vector<std::string> write(const Scan& scan, const std::string& id = "K-17")
+  {
+    const WeldEvaluation evaluation = WeldEvaluator(settings_).evaluate(scan);
+    return writeWeldFiles(scan, evaluation, settings_, { id, { "rig.yaml", "0123456789abcdef", "" } },
+                          folder_.path().string());
+  }
+  YAML::Node record() const { return YAML::Load(readText(folder_.file("weld.json"))); }
+
+  TemporaryFolder folder_;
+  WeldSettings settings_;
+};
+}  // namespace
+
+TEST_F(WeldFiles, EachSaysOfWhichWeldCalibrationAndSettingsItIs)
+{
+  const std::vector<std::string> files = write(IdealScanner()(IdealWeld()));
+  ASSERT_EQ(files.size(), 8u) << "weld.json, four tables, a cloud, two meshes";
+  const std::string settings = checksum(settingsText(settings_));
+  for (const std::string& file : files)
+  {
+    const std::string head = readText(file).substr(0, 16384);
+    if (std::count(head.begin(), head.end(), '\n') == 1)
+      continue;  // a table without a line: no spots
+    for (const std::string& word : { std::string("K-17"), std::string("0123456789abcdef"), settings })
+      EXPECT_NE(head.find(word), std::string::npos) << file << " does not say " << word;
+    if (file.find(".csv") != std::string::npos)
+      continue;
+    for (const char* word : { "weld_profiler 0.", "min_width", "depth_per_pass", "smallest_imperfection" })
+      EXPECT_NE(head.find(word), std::string::npos) << file << " does not say " << word;
+  }
+}
+
+TEST_F(WeldFiles, AnotherSettingIsAnotherHash)
+{
+  const std::string before = checksum(settingsText(settings_));
+  settings_.grinding.overlap = 0.31;
+  EXPECT_NE(checksum(settingsText(settings_)), before);
+}
+
+TEST_F(WeldFiles, TablesStayTables)
+{
+  write(IdealScanner()(IdealWeld()), "a, \"b\"");
+  for (const char* name : { "weld.csv", "verdict.csv", "passes.csv" })
+  {
+    std::istringstream lines(readText(folder_.file(name)));
+    std::string line;
+    std::getline(lines, line);
+    const auto commas = std::count(line.begin(), line.end(), ',');
+    EXPECT_EQ(line.find("weld_id"), line.size() - std::string("weld_id,calibration_hash,settings_hash").size());
+    int count = 0;
+    for (; std::getline(lines, line); ++count)
+    {
+      EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas) << name << ": " << line;
+      EXPECT_NE(line.find(",a; 'b',0123456789abcdef,"), std::string::npos) << line;
+    }
+    EXPECT_GT(count, 0) << name;
+  }
+}
+
+TEST_F(WeldFiles, WeldJsonStatesTheLimitsOfTheHeight)
+{
+  write(IdealScanner()(IdealWeld()));
+  EXPECT_EQ(record()["software"].as<std::string>(), software());
+  EXPECT_EQ(record()["settings_hash"].as<std::string>(), checksum(settingsText(settings_)));
+  const YAML::Node limits = record()["verdict"]["height_limits"];
+  ASSERT_EQ(limits.size(), 3u);
+  const LimitEntry* entry = WeldJudge(settings_.judging).entry(Imperfection::ExcessWeldMetal, WeldKind::BeadOnPlate);
+  ASSERT_NE(entry, nullptr);
+  for (const QualityLevel level : kQualityLevels)
+  {
+    EXPECT_DOUBLE_EQ(limits[name(level)]["base"].as<double>(), entry->at(level).base);
+    EXPECT_DOUBLE_EQ(limits[name(level)]["factor"].as<double>(), entry->at(level).factor);
+    EXPECT_DOUBLE_EQ(limits[name(level)]["cap"].as<double>(), entry->at(level).cap);
+  }
+}
+
+TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOne)
+{
+  write(IdealScanner()(IdealWeld()));
+  ASSERT_TRUE(std::filesystem::exists(folder_.file("bead.ply")));
+  const auto plate = [](double, double) { return 0.0; };
+  EXPECT_EQ(write(IdealScanner()(plate)).size(), 6u);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("bead.ply")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("target.ply")));
+  EXPECT_EQ(record()["kind"].as<std::string>(), "none");
+  EXPECT_EQ(record()["verdict"]["height_limits"].size(), 0u);
+}
+
+TEST_F(WeldFiles, AnIdIsOneLine)
+{
+  const Scan scan = IdealScanner()(IdealWeld());
+  EXPECT_THROW(write(scan, "two\nlines"), ConfigError);
+  EXPECT_THROW(write(scan, std::string(101, 'x')), ConfigError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing was written";
+}
+}  // namespace weld_profiler
