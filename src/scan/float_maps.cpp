@@ -7,7 +7,8 @@
 
 namespace weld_profiler
 {
-void saveFloatMaps(const std::vector<FloatMap>& maps, std::size_t columns, const std::string& path)
+void saveFloatMaps(const std::vector<FloatMap>& maps, std::size_t columns, const std::string& path,
+                   const std::vector<std::string>& comments)
 {
   const std::size_t points = maps.empty() ? 0 : maps.front().values.size();
   if (columns == 0 || points % columns != 0)
@@ -31,7 +32,7 @@ void saveFloatMaps(const std::vector<FloatMap>& maps, std::size_t columns, const
       std::memcpy(&cloud.data[i * cloud.point_step + field * sizeof(float)], &map.values[i], sizeof(float));
   }
   AtomicFile file(path);
-  writePcd(cloud, file);
+  writePcd(cloud, file, comments);
   file.commit();
 }
 }  // namespace weld_profiler

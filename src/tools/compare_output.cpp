@@ -9,6 +9,7 @@
 #include "tools/run_command.h"
 #include "tools/staged_output.h"
 #include "weld_profiler/core/errors.h"
+#include "weld_profiler/ros/origin.h"
 #include "weld_profiler/scan/float_maps.h"
 
 namespace weld_profiler
@@ -27,16 +28,6 @@ std::vector<double> numbers(const Eigen::Vector3d& vector)
 {
   return { vector.x(), vector.y(), vector.z() };
 }
-
-struct ToJson
-{
-  JsonObject& object;
-  template <class Value>
-  void operator()(const std::string& name, const Value& value)
-  {
-    object.add(name, value);
-  }
-};
 
 JsonObject alignedOf(const ScanAlignment& aligned)
 {
@@ -100,6 +91,12 @@ struct Places
   }
   std::vector<float> x, y, z;
 };
+
+Origin originOf(const CompareRecord& record)
+{
+  return Origin{ record.weld_id, record.before.scan.frame_id, record.before.calibration.hash,
+                 yamlOf(record.params) + yamlOf(record.measuring) };
+}
 }  // namespace
 
 JsonObject compareJson(const CompareRecord& record)
@@ -108,11 +105,12 @@ JsonObject compareJson(const CompareRecord& record)
   JsonObject settings, calibration;
   CompareParams params = record.params;
   WeldParams measuring = record.measuring;
-  params.visit(ToJson{ settings });
-  measuring.visit(ToJson{ settings });
+  params.visit(detail::ToJson{ settings });
+  measuring.visit(detail::ToJson{ settings });
   calibration.add("file", record.before.calibration.file).add("hash", record.before.calibration.hash);
   JsonObject object;
   object.add("id", record.weld_id)
+      .add("software", software())
       .add("before", record.before.path)
       .add("after", record.after.path)
       .add("kind", name(comparison.kind))
@@ -121,7 +119,7 @@ JsonObject compareJson(const CompareRecord& record)
       .add("removed_volume", json(comparison.removed_volume))
       .add("remaining_volume", json(comparison.remaining_volume))
       .add("over_ground", spotsOf(comparison))
-      .add("over_ground_limit", params.over_ground_limit)
+      .add("over_ground_limit", record.params.over_ground_limit)
       .add("measured_share", comparison.measured_share)
       .add("notes", notesOf(record))
       .add("settings", settings)
@@ -145,7 +143,7 @@ void writeComparison(const CompareRecord& record, bool report, const std::string
                   { "removed", comparison.removed },
                   { "remaining", comparison.remaining },
                   { "spot", comparison.spot } },
-                comparison.cells, (work / "difference.pcd").string());
+                comparison.cells, (work / "difference.pcd").string(), originOf(record).comments());
   if (report)
     writeCompareReport(work.string(), directory);
   throwIfInterrupted();

@@ -14,6 +14,8 @@ struct FloatMap
 };
 
 /// Writes maps as the fields of an organised, binary PCD cloud, FLOAT32, whole or not at all.
+/// @param comments  for the file's head, one line each.
 /// @throws PreconditionError when the maps differ in size or are no whole rows; InputError naming path and cause.
-void saveFloatMaps(const std::vector<FloatMap>& maps, std::size_t columns, const std::string& path);
+void saveFloatMaps(const std::vector<FloatMap>& maps, std::size_t columns, const std::string& path,
+                   const std::vector<std::string>& comments = {});
 }  // namespace weld_profiler
