@@ -182,6 +182,13 @@ void refuseDoubtful(const WeldParams& params, WeldSection& section)
   section.section = doubtful.section, section.row = doubtful.row, section.stage = doubtful.stage;
   section.s = doubtful.s, section.yaw = doubtful.yaw;
   section.reference = SectionReference::ParentLines;
+  // of a bead that does stand out one toe may be certain all the same
+  for (SectionPoint WeldSection::*toe : { &WeldSection::toe_left, &WeldSection::toe_right })
+  {
+    const SectionPoint& point = doubtful.*toe;
+    if (standsOut(doubtful) && std::hypot(point.x.sigma, point.y.sigma) <= params.max_width_sigma)
+      section.*toe = point;
+  }
   section.misalignment = doubtful.misalignment;
   section.angle = doubtful.angle;
 }

@@ -47,7 +47,7 @@ TEST(CompareChain, ABeadOnPlateGroundFlush)
 
 TEST(CompareChain, AButtWeldWithSomethingLeft)
 {
-  const GroundCase weld(3, 2e-4);
+  const GroundCase weld(3, 4e-4);
   const ScanComparison comparison = ScanComparer().compare(weld.before, moved(weld.after, kRefixed));
   EXPECT_EQ(comparison.kind, WeldKind::Butt);
   expectVolume("removed", comparison.removed_volume, weld.removed, weld);
