@@ -16,6 +16,7 @@ namespace weld
 namespace
 {
 constexpr double kRoughStep = 3.5e-4;  // between the sections that path and strays are found with [m]
+constexpr double kNearlyAll = 0.9;     // of the sections: when fewer were measured it is said
 constexpr double kLeastScore = 0.3;    // of a kind, else the weld is of none
 
 std::vector<SectionShape> shapesOf(const SeamSections& sections)
@@ -158,6 +159,19 @@ void Measuring::fillResultMaps(WeldResult& result) const
   fillMaps(view, undercut_left_, undercut_right_, params_, result);
 }
 
+void Measuring::sayWhatIsMissing(WeldResult& result) const
+{
+  const auto all = result.sections.size();
+  const auto told = static_cast<std::size_t>(std::count_if(
+      result.sections.begin(), result.sections.end(), [](const WeldSection& section) { return section.hasBead(); }));
+  if (told == 0)
+    add(result.reason, stands_out_ ? "no section's width is certain enough: the face is too flat at a toe"
+                                   : "no section could be measured");
+  else if (static_cast<double>(told) < kNearlyAll * static_cast<double>(all))
+    add(result.reason, std::to_string(all - told) + " of " + std::to_string(all) +
+                           " sections could not be measured: a toe is hidden, too flat or not in view there");
+}
+
 WeldResult Measuring::operator()()
 {
   WeldResult result;
@@ -177,16 +191,18 @@ WeldResult Measuring::operator()()
   if (!chooseKind(result))
     return result;
   fillSections(result);
+  if (!stands_out_ && params_.kind == "auto")
+  {
+    add(result.reason, "no section could be measured");
+    result.kind = WeldKind::None;
+    result.sections.clear();
+    result.path.clear();
+    return result;
+  }
   summarise(*sections_, params_, result);
   fillResultMaps(result);
   result.spots = strays_.spots;
-  if (result.measured_share == 0.0)
-  {
-    add(result.reason, stands_out_ ? "no section's width is certain enough: the face is too flat at a toe"
-                                   : "no section could be measured");
-    if (params_.kind == "auto" && !stands_out_)
-      result.kind = WeldKind::None;
-  }
+  sayWhatIsMissing(result);
   return result;
 }
 }  // namespace weld

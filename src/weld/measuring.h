@@ -29,6 +29,7 @@ private:
   bool chooseKind(WeldResult& result) const;
   void fillSections(WeldResult& result);
   void fillResultMaps(WeldResult& result) const;
+  void sayWhatIsMissing(WeldResult& result) const;
   std::vector<double> sectionPlaces(const WeldPath& path, double step) const;
   WeldPath refinedPath(const SeamSections& sections) const;
 

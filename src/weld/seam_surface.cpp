@@ -22,7 +22,10 @@ constexpr double kLeastParent = 3e-5;      // [m]
 constexpr double kAlong = 6e-4;            // by which a sloping surface may be met elsewhere along the weld [m]
 constexpr std::size_t kAlongSections = 3;  // its slope is taken from section to section so many off
 constexpr double kLevel = 0.1;             // ripples make slopes up to this
-constexpr double kTaper = 0.85;            // of a bead's height: lower at its end it is ending
+constexpr double kTaper = 0.15;            // of a bead's usual height: where it is lower by more it is ending
+constexpr double kLeastTaper = 1e-4;       // ... and by more than this [m]
+constexpr double kAround = 8e-3;           // sections this near tell what is usual [m]
+constexpr double kBeyond = 3e-4;           // of the last section, that is still told from it [m]
 }  // namespace
 
 SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zones_(sections)
@@ -45,30 +48,36 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   for (std::size_t k = 0; k < sections.size(); ++k)
     sampleSection(k, rises);
   fillMedians(rises);
-  findTapers();
+  findKnown();
 }
 
-/// At a scan's ends a bead goes on as high as it is; where it is lower it is ending.
-void SeamSurface::findTapers()
+/// Where toes were found and the bead is about as high as around there, it is known. Where it is lower it is ending.
+void SeamSurface::findKnown()
 {
-  std::vector<double> crests;
+  const std::vector<double>& places = sections_.places();
+  std::vector<double> levels;
   for (std::size_t k = 0; k < sections_.size(); ++k)
   {
-    double top = 0.0;
+    std::vector<double> rises;
     for (int bin = kOutside; bin <= kOutside + inside_; ++bin)
-      top = std::max(top, rise(k, bin));
-    crests.push_back(top);
+      rises.push_back(rise(k, bin));
+    levels.push_back(median(std::move(rises)));
   }
-  const double low = kTaper * median(crests);
-  std::size_t first = 0, last = crests.size();
-  while (first < last && !(crests[first] >= low))
-    ++first;
-  while (last > first && !(crests[last - 1] >= low))
-    --last;
-  if (first > 0 && first < crests.size())
-    first_ = sections_.places()[first];
-  if (last > 0 && last < crests.size())
-    last_ = sections_.places()[last - 1];
+  known_.assign(sections_.size(), 0);
+  for (std::size_t k = 0; k < sections_.size(); ++k)
+  {
+    std::vector<double> around;
+    bool whole = false;
+    for (std::size_t j = 0; j < sections_.size(); ++j)
+    {
+      const double apart = std::abs(places[j] - places[k]);
+      if (sections_.shape(j).whole() && apart < kAround)
+        around.push_back(levels[j]);
+      whole = whole || (sections_.shape(j).whole() && apart < kReach);
+    }
+    const double usual = median(std::move(around));
+    known_[k] = whole && levels[k] > usual - std::max(kTaper * std::abs(usual), kLeastTaper) ? 1 : 0;
+  }
 }
 
 double SeamSurface::binOf(std::size_t k, double q) const
@@ -171,7 +180,8 @@ double SeamSurface::departure(std::size_t k, double q, double z) const
 double SeamSurface::alongSlack(std::size_t k, const PathPlace& place) const
 {
   // where a bead ends and its toes close in, what lies between them is not known
-  if ((place.s < first_ || place.s > last_) && onFace(k, place.q))
+  const bool beside = zones_.slack(place.s) > 0.0 && std::abs(place.s - sections_.places()[k]) > kBeyond;
+  if ((known_[k] == 0 || beside) && onFace(k, place.q))
     return INFINITY;
   const double bin = binOf(k, place.q);
   const std::size_t before = k - std::min(k, kAlongSections),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "seam_sections.h"
@@ -24,8 +24,8 @@ public:
   /// How far z lies above the median of the neighbouring sections at this place; NaN where nothing is known [m].
   double departure(std::size_t k, double q, double z) const;
 
-  /// What more is let pass where the surface rises or falls along the weld, as at its ends; beyond the
-  /// places where it tapers to its end anything [m].
+  /// What more is let pass where the surface rises or falls along the weld, as at its ends; anything
+  /// where the bead is not known [m].
   double alongSlack(std::size_t k, const PathPlace& place) const;
 
   /// Departures beyond this are no part of the surface; more is let pass where no section lies [m].
@@ -38,7 +38,7 @@ private:
   double rise(std::size_t k, double bin) const;
   void sampleSection(std::size_t k, std::vector<float>& rises) const;
   void fillMedians(const std::vector<float>& rises);
-  void findTapers();
+  void findKnown();
 
   const SeamSections& sections_;
   SeamZones zones_;
@@ -47,7 +47,7 @@ private:
   std::vector<float> medians_;     ///< sections x bins, above flush
   std::vector<float> tolerances_;  ///< one a bin
   double parent_tolerance_ = 0.0;
-  double first_ = -INFINITY, last_ = INFINITY;  ///< s from where to where the bead does not taper
+  std::vector<std::uint8_t> known_;  ///< of each section, whether what lies between its toes can be told
 };
 }  // namespace weld
 }  // namespace weld_profiler

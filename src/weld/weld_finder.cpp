@@ -68,6 +68,9 @@ std::string whyNone(const ScanGrid& grid, const std::vector<RowFindings>& findin
 {
   if (grid.rows == 0)
     return "the scan holds no measured points";
+  if (grid.rows < kFewestRows)
+    return "the scan has " + std::to_string(grid.rows) + " rows, a weld is measured from at least " +
+           std::to_string(kFewestRows);
   const auto share = [&](bool RowFindings::*what)
   {
     return static_cast<double>(
@@ -101,8 +104,11 @@ double range(const BeadTrack& track, const std::function<double(const RowBead&)>
 
 /// What is no weld by its shape: its width changes as no weld's middle does, or it is a heap, no longer than wide and
 /// highest in its middle. Empty = it may be a weld.
-std::string whyNotAWeld(const ScanGrid& grid, const BeadTrack& track)
+std::string whyNotAWeld(const ScanGrid& grid, const BeadTrack& seen)
 {
+  BeadTrack track;  // what runs out of view has no width
+  std::copy_if(seen.rows.begin(), seen.rows.end(), std::back_inserter(track.rows),
+               [](const RowBead& bead) { return bead.whole(); });
   if (track.rows.size() < kFewestToTell || track.height() < kHighEnough)
     return "";
   std::ostringstream text;
@@ -178,11 +184,16 @@ FoundWeld findWeld(const ScanGrid& grid, const WeldParams& params)
 {
   FoundWeld found;
   std::vector<RowFindings> findings;
+  if (grid.rows < kFewestRows)
+  {
+    found.reason = whyNone(grid, findings);
+    return found;
+  }
   findings.reserve(static_cast<std::size_t>(grid.rows));
   const int step = grid.rows > kEnoughRows ? std::max(1, static_cast<int>(kRowStep / grid.pitch)) : 1;
   for (int row = 0; row < grid.rows; row += step)
     findings.push_back(findRowBeads(grid, row, params));
-  std::vector<BeadTrack> tracks = trackBeads(grid, findings, std::min(kFewestRows, grid.rows));
+  std::vector<BeadTrack> tracks = trackBeads(grid, findings, kFewestRows);
   if (tracks.empty())
   {
     found.reason = whyNone(grid, findings);
