@@ -16,6 +16,7 @@ constexpr double kBeside = 1.5e-3;    // neighbours across the weld are taken fr
 constexpr int kNeighbours = 7;        // on either side
 constexpr std::size_t kFewest = 7;    // of them
 constexpr double kSigmas = 5.0;       // of what points depart from their neighbours
+constexpr double kNothing = 1e-5;     // a smaller departure is none, whatever is tolerated [m]
 constexpr float kLeast = 6e-5F;       // [m]
 constexpr std::size_t kSampled = 97;  // every so many points tell the scatter
 
@@ -52,6 +53,8 @@ private:
     if (!std::isfinite(departure))
       return;
     result_.height[i] = static_cast<float>(departure);
+    if (std::abs(departure) < kNothing)
+      return;
     result_.tolerances[i] = static_cast<float>(departure / surface_.tolerance(k, place));
   }
 
