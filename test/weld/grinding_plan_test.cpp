@@ -26,7 +26,15 @@ std::vector<SurfacePose> everyPose(const GrindingPlan& plan)
 
 std::vector<MadeCase> cases()
 {
-  return bothWays({ { "Straight", [](MadeWeld&) {} }, { "Yawed", [](MadeWeld& weld) { weld.yaw = -20.0 * kDegree; } }, { "Curved", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; } }, { "Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; } }, { "WithARest", [](MadeWeld& weld) { weld.rest = 0.2e-3; } }, { "Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.2; } }, { "Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; } } });
+  return bothWays({
+      { "Straight", [](MadeWeld&) {} },
+      { "Yawed", [](MadeWeld& weld) { weld.yaw = -20.0 * kDegree; } },
+      { "Curved", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; } },
+      { "Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; } },
+      { "WithARest", [](MadeWeld& weld) { weld.rest = 0.2e-3; } },
+      { "Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.2; } },
+      { "Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; } },
+  });
 }
 
 class PlanFor : public ::testing::TestWithParam<MadeCase>

@@ -14,7 +14,21 @@ namespace
 {
 std::vector<MadeCase> cases()
 {
-  return bothWays({ { "Straight", [](MadeWeld&) {} }, { "Yawed", [](MadeWeld& weld) { weld.yaw = 20.0 * kDegree; } }, { "CurvedRight", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; } }, { "CurvedLeftAndYawed", [](MadeWeld& weld) { weld.bend = -1.0 / 0.08, weld.yaw = -10.0 * kDegree; } }, { "Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; } }, { "Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.3; } }, { "Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; } }, { "CoarseRows", [](MadeWeld& weld) { weld.pitch = 0.4e-3, weld.rows = 50; } }, { "HighAndNarrow", [](MadeWeld& weld) { weld.width = 4e-3, weld.height = 1.6e-3; } }, { "WithHoles", [](MadeWeld& weld) { weld.holes = { { -2e-3, 0.0, -2e-3, 1e-3 }, { 4e-3, 5e-3, -9e-3, -3e-3 }, { 5e-3, 5.8e-3, -3e-3, 0.0 } }; } } });
+  return bothWays({
+      { "Straight", [](MadeWeld&) {} },
+      { "Yawed", [](MadeWeld& weld) { weld.yaw = 20.0 * kDegree; } },
+      { "CurvedRight", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; } },
+      { "CurvedLeftAndYawed", [](MadeWeld& weld) { weld.bend = -1.0 / 0.08, weld.yaw = -10.0 * kDegree; } },
+      { "Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; } },
+      { "Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.3; } },
+      { "Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; } },
+      { "CoarseRows", [](MadeWeld& weld) { weld.pitch = 0.4e-3, weld.rows = 50; } },
+      { "HighAndNarrow", [](MadeWeld& weld) { weld.width = 4e-3, weld.height = 1.6e-3; } },
+      { "WithHoles",
+        [](MadeWeld& weld) {
+          weld.holes = { { -2e-3, 0.0, -2e-3, 1e-3 }, { 4e-3, 5e-3, -9e-3, -3e-3 }, { 5e-3, 5.8e-3, -3e-3, 0.0 } };
+        } },
+  });
 }
 
 class SurfaceOf : public ::testing::TestWithParam<MadeCase>
