@@ -5,7 +5,6 @@ DIR holds compare.json and difference.pcd as compare_scans leaves them (docs/rep
 Exit status: 0 written, 1 bad input (one line says file, cause and remedy), 2 usage.
 """
 import argparse
-import os
 import sys
 
 
@@ -15,19 +14,14 @@ def main():
     parser.add_argument("--named", metavar="PATH", help="the folder's name in the report, where it is not DIR")
     arguments = parser.parse_args()
 
-    from report import style  # after the usage: matplotlib takes its time
-    from report.compare_folder import CompareFolder
+    from report.compare_folder import CompareFolder  # after the usage: matplotlib takes its time
     from report.compare_page import compare_overview, compare_page
-    from report.files import ReportError, write_together
-    try:
-        style.prepare()
+    from report.program import write_report
+
+    def make():
         folder = CompareFolder(arguments.folder, arguments.named)
-        write_together({os.path.join(arguments.folder, "report.html"): compare_page(folder),
-                        os.path.join(arguments.folder, "report.png"): compare_overview(folder)})
-    except ReportError as error:
-        print(error, file=sys.stderr)
-        return 1
-    return 0
+        return compare_page(folder), compare_overview(folder)
+    return write_report(arguments.folder, make)
 
 
 if __name__ == "__main__":

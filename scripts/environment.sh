@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by the other scripts: where things are, and an environment that does not depend on the caller's.
 # Sets root, build; defines say, die, jobs, enter_built_environment.
 

@@ -5,7 +5,6 @@ DIR is a folder as docs/weld-files.md describes it; docs/report.md says what the
 neither. Exit status: 0 written, 1 bad input (one line says file, cause and remedy), 2 usage.
 """
 import argparse
-import os
 import sys
 
 
@@ -16,24 +15,19 @@ def main():
                         help="readings by hand to draw beside: s_mm,width_mm,height_mm and if known resolution_mm")
     arguments = parser.parse_args()
 
-    from report import style  # after the usage: matplotlib takes its time
-    from report.cut import choose
-    from report.files import ReportError, write_together
+    from report.cut import choose  # after the usage: matplotlib takes its time
     from report.overview import overview
+    from report.program import write_report
     from report.weld_figures import Relief
     from report.weld_folder import WeldFolder
     from report.weld_page import weld_page
-    try:
-        style.prepare()
+
+    def make():
         folder = WeldFolder(arguments.folder, arguments.gauge)
         folder.chosen = choose(folder) if folder.has_weld() else []
         relief = Relief(folder) if folder.grid is not None else None
-        write_together({os.path.join(arguments.folder, "report.html"): weld_page(folder, relief),
-                        os.path.join(arguments.folder, "report.png"): overview(folder, relief)})
-    except ReportError as error:
-        print(error, file=sys.stderr)
-        return 1
-    return 0
+        return weld_page(folder, relief), overview(folder, relief)
+    return write_report(arguments.folder, make)
 
 
 if __name__ == "__main__":

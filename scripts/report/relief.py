@@ -56,11 +56,12 @@ def render(field, picture, grid, view):
         pixel = (high - low) / (2.0 * WIDTH * SUPER)
     columns, rows = int((right - left) / pixel), int((high - low) / pixel)
     image = np.ones((rows // SUPER, columns // SUPER, 3), np.float32)
+    block = _Block(filled, np.where(np.isfinite(field)[..., None], picture, HOLE), grid, view)
     heights = low + pixel * (np.arange(rows) + 0.5)
     for first in range(0, columns - SUPER + 1, 256):  # in strips, for the memory
         count = min(256, columns - first) // SUPER * SUPER
         across = left + pixel * (first + np.arange(count) + 0.5)
-        strip = _strip(filled, np.where(np.isfinite(field)[..., None], picture, HOLE), grid, view, across, heights, base)
+        strip = block.strip(across, heights, base)
         strip = strip[:rows // SUPER * SUPER]
         strip = 0.25 * (strip[::2, ::2] + strip[1::2, ::2] + strip[::2, 1::2] + strip[1::2, 1::2])
         image[:, first // SUPER:(first + count) // SUPER] = strip
@@ -75,33 +76,40 @@ def _trimmed(image, extent):
     return image[:last], (left, right, low, low + (high - low) * last / len(image))
 
 
-def _strip(field, picture, grid, view, across, heights, base):
-    """Pixels of some columns, the lowest first."""
-    corners = [view.turned(x, y)[1] for x in (grid.left, grid.right) for y in (grid.near, grid.far)]
-    step = min(grid.dx, grid.dy)
-    away = np.arange(min(corners) - step, max(corners) + step, step)
-    x, y = view.back(across[:, None], away[None, :])
-    inside = (x >= grid.left) & (x < grid.right) & (y >= grid.near) & (y < grid.far)
-    z = np.where(inside, _bilinear(field, grid, x, y), 0.0)
-    seen = np.where(inside, away * view.away + z * view.exaggeration * view.up, -1e9)
-    entry = inside.argmax(axis=1)  # where the line of sight meets the block
-    some = inside.any(axis=1)
-    horizon = np.maximum.accumulate(seen, axis=1)
-    steps = np.arange(len(across))[:, None] * 1e6  # makes one rising array of all columns
-    place = np.searchsorted(np.clip(horizon + steps, -4e5 + steps, None).ravel(),
-                            (heights[None, :] + steps).ravel()).reshape(len(across), -1)
-    place -= np.arange(len(across))[:, None] * len(away)
-    beyond = place >= len(away)
-    place = np.minimum(place, len(away) - 1)
-    colour = _colours(picture, grid, np.take_along_axis(x, place, 1), np.take_along_axis(y, place, 1))
-    foot = (away[entry] * view.away + base * view.exaggeration * view.up)[:, None]
-    top = np.take_along_axis(seen, entry[:, None], 1)
-    wall = (heights[None, :] >= foot) & (heights[None, :] <= top)
-    entry_x = x[np.arange(len(across)), entry]
-    near_side = np.minimum(np.abs(entry_x - grid.left), np.abs(entry_x - grid.right)) > 1.5 * step
-    colour[wall] = np.where(near_side[:, None, None], WALLS[0], WALLS[1])[np.nonzero(wall)[0], 0]
-    colour[beyond | ~some[:, None] | (heights[None, :] < foot)] = 1.0
-    return colour.transpose(1, 0, 2)
+class _Block:
+    """Heights without holes, and their colours, under a view."""
+
+    def __init__(self, field, picture, grid, view):
+        self.field, self.picture, self.grid, self.view = field, picture, grid, view
+
+    def strip(self, across, heights, base):
+        """Pixels of some columns, the lowest first."""
+        grid, view = self.grid, self.view
+        corners = [view.turned(x, y)[1] for x in (grid.left, grid.right) for y in (grid.near, grid.far)]
+        step = min(grid.dx, grid.dy)
+        away = np.arange(min(corners) - step, max(corners) + step, step)
+        x, y = view.back(across[:, None], away[None, :])
+        inside = (x >= grid.left) & (x < grid.right) & (y >= grid.near) & (y < grid.far)
+        z = np.where(inside, _bilinear(self.field, grid, x, y), 0.0)
+        seen = np.where(inside, away * view.away + z * view.exaggeration * view.up, -1e9)
+        entry = inside.argmax(axis=1)  # where the line of sight meets the block
+        some = inside.any(axis=1)
+        horizon = np.maximum.accumulate(seen, axis=1)
+        steps = np.arange(len(across))[:, None] * 1e6  # makes one rising array of all columns
+        place = np.searchsorted(np.clip(horizon + steps, -4e5 + steps, None).ravel(),
+                                (heights[None, :] + steps).ravel()).reshape(len(across), -1)
+        place -= np.arange(len(across))[:, None] * len(away)
+        beyond = place >= len(away)
+        place = np.minimum(place, len(away) - 1)
+        colour = _colours(self.picture, grid, np.take_along_axis(x, place, 1), np.take_along_axis(y, place, 1))
+        foot = (away[entry] * view.away + base * view.exaggeration * view.up)[:, None]
+        top = np.take_along_axis(seen, entry[:, None], 1)
+        wall = (heights[None, :] >= foot) & (heights[None, :] <= top)
+        entry_x = x[np.arange(len(across)), entry]
+        near_side = np.minimum(np.abs(entry_x - grid.left), np.abs(entry_x - grid.right)) > 1.5 * step
+        colour[wall] = np.where(near_side[:, None, None], WALLS[0], WALLS[1])[np.nonzero(wall)[0], 0]
+        colour[beyond | ~some[:, None] | (heights[None, :] < foot)] = 1.0
+        return colour.transpose(1, 0, 2)
 
 
 def _bilinear(field, grid, x, y):

@@ -21,13 +21,13 @@ constexpr double kBeside = 0.45;       // of the width: what is drawn of the par
 constexpr double kLongestLink = 1e-3;  // points further apart are not connected [m]
 const Colour kDimension = { 1.0F, 0.9F, 0.2F };
 
-std::string value(const char* symbol, const Quantity& quantity, int digits, double scale, const char* unit)
+std::string millimetres(const char* symbol, const Quantity& quantity, int digits)
 {
   if (!quantity.measured())
     return "";
   char words[96];
-  std::snprintf(words, sizeof(words), "%s%.*f +- %.*f %s", symbol, digits, scale * quantity.value, digits,
-                scale * quantity.sigma, unit);
+  std::snprintf(words, sizeof(words), "%s%.*f +- %.*f mm", symbol, digits, kMillimetres * quantity.value, digits,
+                kMillimetres * quantity.sigma);
   return words;
 }
 
@@ -142,14 +142,14 @@ void addTexts(const Sheet& sheet, const WeldSection& section, const std_msgs::He
     if (!words.empty())
       all.markers.push_back(text(header, 1 + static_cast<int>(all.markers.size()), sheet.drawn(u, v), words));
   };
-  add(2.0 * kText, -2.4 * kText, value("b ", section.width, 2, kMillimetres, "mm"));
-  add(0.0, std::max(height, 0.0) + kText, value("h ", section.reinforcement, 3, kMillimetres, "mm"));
-  add(2.0 * kText, -3.6 * kText, value("a ", section.throat, 2, kMillimetres, "mm"));
+  add(2.0 * kText, -2.4 * kText, millimetres("b ", section.width, 2));
+  add(0.0, std::max(height, 0.0) + kText, millimetres("h ", section.reinforcement, 3));
+  add(2.0 * kText, -3.6 * kText, millimetres("a ", section.throat, 2));
   const double left = sheet.scale() * sheet.left().y(), right = sheet.scale() * sheet.right().y();
   add(-half - 4.0 * kText, left + 1.2 * kText, angle(section.toe_angle_left));
   add(half + 4.0 * kText, right + 1.2 * kText, angle(section.toe_angle_right));
   const auto undercut = [](const Quantity& depth)
-  { return depth.measured() && depth.value > 2.0 * depth.sigma ? value("5011 ", depth, 3, kMillimetres, "mm") : ""; };
+  { return depth.measured() && depth.value > 2.0 * depth.sigma ? millimetres("5011 ", depth, 3) : ""; };
   add(-half - 4.0 * kText, left - 1.2 * kText, undercut(section.undercut_left));
   add(half + 4.0 * kText, right - 1.2 * kText, undercut(section.undercut_right));
 }

@@ -169,7 +169,7 @@ WeldMeasurement measurementMessage(const WeldEvaluation& evaluation)
 
 sensor_msgs::PointCloud2Ptr weldCloud(const Scan& scan, const WeldResult& result)
 {
-  const sensor_msgs::PointCloud2Ptr cloud = scanCloud(scan);
+  sensor_msgs::PointCloud2Ptr cloud = scanCloud(scan);
   const auto describe = [&](const char* field, std::uint32_t offset, std::uint8_t type)
   {
     sensor_msgs::PointField description;

@@ -6,9 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include <pcl/console/print.h>
-
 #include "pcd_file.h"
+#include "quiet_pcl.h"
 #include "weld_profiler/core/atomic_file.h"
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/scan/cloud_record.h"
@@ -24,19 +23,6 @@ pcl::PCLPointCloud2 pclCloud(const std::vector<CloudRecord>& records, std::size_
   std::memcpy(cloud.data.data(), records.data(), cloud.data.size());
   return cloud;
 }
-
-/// While it lives PCL prints nothing: what goes wrong is told once, by our exception.
-class QuietPcl
-{
-public:
-  QuietPcl() : level_(pcl::console::getVerbosityLevel()) { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
-  ~QuietPcl() { pcl::console::setVerbosityLevel(level_); }
-  QuietPcl(const QuietPcl&) = delete;
-  QuietPcl& operator=(const QuietPcl&) = delete;
-
-private:
-  pcl::console::VERBOSITY_LEVEL level_;
-};
 
 /// Written here, not by PCL: its writer knows no comments, and reports a full disk by exception, by return value or not
 /// at all.

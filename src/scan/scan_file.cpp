@@ -9,9 +9,9 @@
 #include <sstream>
 #include <vector>
 
-#include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
+#include "quiet_pcl.h"
 #include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
@@ -26,19 +26,6 @@ constexpr double kNanoseconds = 1e9;
 {
   throw InputError(path + ": " + cause + ", give an organised PCD cloud as scan_bag writes it");
 }
-
-/// PCL says on the terminal what is wrong with a file; whoever asked is told by the exception.
-class QuietPcl
-{
-public:
-  QuietPcl() : level_(pcl::console::getVerbosityLevel()) { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
-  ~QuietPcl() { pcl::console::setVerbosityLevel(level_); }
-  QuietPcl(const QuietPcl&) = delete;
-  QuietPcl& operator=(const QuietPcl&) = delete;
-
-private:
-  pcl::console::VERBOSITY_LEVEL level_;
-};
 
 /// Header of a PCD file, as far as it must be right before PCL may read the rest: PCL trusts it.
 struct Header

@@ -20,7 +20,7 @@ constexpr float kHeightOverPeak = 0.35F;  // an oblique stripe fills a part of a
 constexpr float kLeastShare = 0.25F;      // of all peaks of its groups; less is a pattern, no stripe
 constexpr int kMove = 24;                 // rows that a stripe may move from frame to frame and still be followed
 constexpr double kMostOfFrame = 0.6;      // share of the rows; a higher band is not worth it
-constexpr float kRiseOutside = 1.25F;  // of what a peak needs, over the darkest
+constexpr float kRiseOutside = 1.25F;     // of what a peak needs, over the darkest
 constexpr double kWhole = 0.95;           // of the last stripe's cells that must be found
 }  // namespace
 

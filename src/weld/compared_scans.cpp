@@ -13,11 +13,6 @@ namespace
 {
 constexpr double kBin = 2.5e-4;       // [m]
 constexpr double kMostBins = 2000.0;  // a side
-
-bool metal(std::uint8_t label)
-{
-  return label == static_cast<std::uint8_t>(WeldLabel::Bead) || label == static_cast<std::uint8_t>(WeldLabel::Spatter);
-}
 }  // namespace
 
 Vector6d ComparedScans::heightJacobian(const Eigen::Vector3d& place, double slope_x, double slope_y) const
@@ -48,22 +43,15 @@ void shareAreas(const std::vector<Facet>& facets, ComparedScans& scans)
 CompareBins::CompareBins(const ComparedScans& scans)
 {
   const ScanGrid& grid = scans.grid;
-  double right = -INFINITY, far = -INFINITY;
-  left_ = near_ = INFINITY;
-  for (std::size_t i = 0; i < grid.z.size(); ++i)
-  {
-    if (!scans.known(i))
-      continue;
-    left_ = std::min(left_, static_cast<double>(grid.x[i])), right = std::max(right, static_cast<double>(grid.x[i]));
-    near_ = std::min(near_, static_cast<double>(grid.y[i])), far = std::max(far, static_cast<double>(grid.y[i]));
-  }
-  if (!(right >= left_))
+  const GridExtent extent = extentOf(grid, [&scans](std::size_t i) { return scans.known(i); });
+  if (extent.empty())
     return;
+  left_ = extent.left, near_ = extent.near;
   // bins without a point would cut spots to pieces
   size_ =
-      std::max({ kBin, 1.3 * grid.pitch, 3.0 * grid.spacing, (right - left_) / kMostBins, (far - near_) / kMostBins });
-  columns_ = static_cast<int>((right - left_) / size_) + 1;
-  rows_ = static_cast<int>((far - near_) / size_) + 1;
+      std::max({ kBin, 1.3 * grid.pitch, 3.0 * grid.spacing, extent.width() / kMostBins, extent.length() / kMostBins });
+  columns_ = static_cast<int>(extent.width() / size_) + 1;
+  rows_ = static_cast<int>(extent.length() / size_) + 1;
   bins_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (std::size_t i = 0; i < grid.z.size(); ++i)
   {
@@ -103,7 +91,7 @@ void CompareBins::add(const ComparedScans& scans, std::size_t i, Bin& bin)
   bin.taken += area * scans.taken(i);
   bin.target += area * static_cast<double>(scans.maps.target[i]);
   bin.noise += area * (static_cast<double>(scans.after[i].variance) + pointVariance(grid, i));
-  if (!metal(scans.maps.labels[i]))
+  if (!isMetal(scans.maps.labels[i]))
     return;
   bin.metal_area += area;
   bin.metal_above += area * scans.above(i);

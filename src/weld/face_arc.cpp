@@ -39,11 +39,9 @@ Eigen::Vector2d FaceArc::local(const Eigen::Vector2d& place) const
   return Eigen::Vector2d(along_.dot(offset), across_.dot(offset));
 }
 
-FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
+/// Lays the frame along the chord from the points' first third to their last.
+bool FaceArc::layFrame(const std::vector<FacePoint>& points)
 {
-  FaceArc arc;
-  if (points.size() < 4)
-    return arc;
   const std::size_t third = std::max<std::size_t>(1, points.size() / 3);
   Eigen::Vector2d begin = Eigen::Vector2d::Zero(), end = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < third; ++i)
@@ -52,34 +50,51 @@ FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
     end += points[points.size() - 1 - i].place / static_cast<double>(third);
   }
   if (!((end - begin).norm() > 0.0))
+    return false;
+  middle_ = 0.5 * (begin + end);
+  along_ = (end - begin).normalized();
+  across_ = Eigen::Vector2d(-along_.y(), along_.x());
+  return true;
+}
+
+/// One weighted regression; false where the points do not determine an arc.
+bool FaceArc::regress(const std::vector<Eigen::Vector2d>& places, const std::vector<double>& weights)
+{
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(), squared = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const Eigen::Vector3d row = rowOf(places[i]);
+    const Eigen::Matrix3d product = weights[i] * row * row.transpose();
+    normal += product;
+    squared += weights[i] * product;
+    right += weights[i] * places[i].y() * row;
+  }
+  const Eigen::Matrix3d inverse = normal.inverse();
+  if (!inverse.allFinite())
+    return false;
+  values_ = inverse * right;
+  shape_ = inverse * squared * inverse;
+  return true;
+}
+
+FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
+{
+  FaceArc arc;
+  if (points.size() < 4 || !arc.layFrame(points))
     return arc;
-  arc.middle_ = 0.5 * (begin + end);
-  arc.along_ = (end - begin).normalized();
-  arc.across_ = Eigen::Vector2d(-arc.along_.y(), arc.along_.x());
   std::vector<Eigen::Vector2d> places;
   places.reserve(points.size());
   for (const FacePoint& point : points)
     places.push_back(arc.local(point.place));
-  std::vector<double> residuals(points.size(), 0.0);
+  std::vector<double> residuals(points.size(), 0.0), weights(points.size());
   double scale = 1.0;
   for (int round = 0; round < kRounds; ++round)
   {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(), squared = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const Eigen::Vector3d row = rowOf(places[i]);
-      const double weight = points[i].weight * tukey(residuals[i] / scale);
-      const Eigen::Matrix3d product = weight * row * row.transpose();
-      normal += product;
-      squared += weight * product;
-      right += weight * places[i].y() * row;
-    }
-    const Eigen::Matrix3d inverse = normal.inverse();
-    if (!inverse.allFinite())
+      weights[i] = points[i].weight * tukey(residuals[i] / scale);
+    if (!arc.regress(places, weights))
       return arc;
-    arc.values_ = inverse * right;
-    arc.shape_ = inverse * squared * inverse;
     for (std::size_t i = 0; i < points.size(); ++i)
       residuals[i] = places[i].y() - rowOf(places[i]).dot(arc.values_);
     scale = std::max(robustSigma(residuals), kLeastScatter);

@@ -44,6 +44,8 @@ public:
   double heightAt(double first) const;
 
 private:
+  bool layFrame(const std::vector<FacePoint>& points);
+  bool regress(const std::vector<Eigen::Vector2d>& places, const std::vector<double>& weights);
   Eigen::Vector2d local(const Eigen::Vector2d& place) const;
   double bendAt(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction, double curvature) const;
 

@@ -46,11 +46,6 @@ private:
   Vector6d moved_ = Vector6d::Zero();
 };
 
-bool metal(std::uint8_t label)
-{
-  return label == static_cast<std::uint8_t>(WeldLabel::Bead) || label == static_cast<std::uint8_t>(WeldLabel::Spatter);
-}
-
 }  // namespace
 
 Quantity removedVolume(const ComparedScans& scans)
@@ -82,7 +77,7 @@ Quantity remainingVolume(const ComparedScans& scans, const CompareBins& bins, co
   VolumeSum sum(scans);
   for (std::size_t i = 0; i < scans.grid.z.size(); ++i)
   {
-    if (!metal(scans.maps.labels[i]) || !std::isfinite(scans.maps.target[i]))
+    if (!isMetal(scans.maps.labels[i]) || !std::isfinite(scans.maps.target[i]))
       continue;
     whole += static_cast<double>(scans.area[i]);
     if (scans.known(i))

@@ -64,24 +64,20 @@ LocalSurface::LocalSurface(const std::vector<HeightPoint>& points, double radius
     const int i = static_cast<int>((point.s - from_s_) / radius_), j = static_cast<int>((point.q - from_q_) / radius_);
     return static_cast<std::size_t>(i) * static_cast<std::size_t>(bins_q_) + static_cast<std::size_t>(j);
   };
-  first_.assign(static_cast<std::size_t>(bins_s_) * static_cast<std::size_t>(bins_q_) + 1, 0);
-  for (const HeightPoint& point : points)
-    ++first_[bin(point) + 1];
-  for (std::size_t i = 1; i < first_.size(); ++i)
-    first_[i] += first_[i - 1];
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  points_.resize(points.size());
-  for (const HeightPoint& point : points)
-    points_[next[bin(point)]++] = point;
+  points_.fill(static_cast<std::size_t>(bins_s_) * static_cast<std::size_t>(bins_q_),
+               [&](const auto& put)
+               {
+                 for (const HeightPoint& point : points)
+                   put(bin(point), point);
+               });
 }
 
-void LocalSurface::gather(std::size_t from, std::size_t to, Sums& sums) const
+void LocalSurface::gather(const HeightPoint* from, const HeightPoint* to, Sums& sums) const
 {
   const double scale = 1.0 / radius_;
-  for (std::size_t i = from; i < to; ++i)
+  for (const HeightPoint* point = from; point != to; ++point)
   {
-    const HeightPoint& point = points_[i];
-    const double s = (point.s - sums.s) * scale, q = (point.q - sums.q) * scale;
+    const double s = (point->s - sums.s) * scale, q = (point->q - sums.q) * scale, z = point->z;
     const double squared = s * s + q * q;
     const double t = 1.0 - squared;
     if (!(t > 0.0))
@@ -92,7 +88,7 @@ void LocalSurface::gather(std::size_t from, std::size_t to, Sums& sums) const
     sums.w += w, sums.ws += ws, sums.wq += wq;
     sums.wss += ws * s, sums.wsq += ws * q, sums.wqq += wqq;
     sums.wsqq += wqq * s, sums.wqqq += wqq * q, sums.wqqqq += wqq * q * q;
-    sums.wz += w * point.z, sums.wsz += ws * point.z, sums.wqz += wq * point.z, sums.wqqz += wqq * point.z;
+    sums.wz += w * z, sums.wsz += ws * z, sums.wqz += wq * z, sums.wqqz += wqq * z;
   }
 }
 
@@ -106,7 +102,8 @@ HeightSample LocalSurface::at(double s, double q) const
   for (int row = std::max(i - 1, 0); row <= std::min(i + 1, bins_s_ - 1) && from <= to; ++row)
   {
     const std::size_t begin = static_cast<std::size_t>(row) * static_cast<std::size_t>(bins_q_);
-    gather(first_[begin + static_cast<std::size_t>(from)], first_[begin + static_cast<std::size_t>(to) + 1], sums);
+    gather(points_.begin(begin + static_cast<std::size_t>(from)), points_.end(begin + static_cast<std::size_t>(to)),
+           sums);
   }
   if (sums.count < kLeastPoints || std::sqrt(sums.nearest) * radius_ > reach_ || !sums.balanced())
     return {};

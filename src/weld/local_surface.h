@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "binned.h"
+
 namespace weld_profiler
 {
 namespace weld
@@ -43,10 +45,9 @@ public:
 
 private:
   struct Sums;
-  void gather(std::size_t from, std::size_t to, Sums& sums) const;
+  void gather(const HeightPoint* from, const HeightPoint* to, Sums& sums) const;
 
-  std::vector<HeightPoint> points_;  ///< sorted by bin
-  std::vector<std::size_t> first_;   ///< of each bin, and one more
+  Binned<HeightPoint> points_;
   double radius_ = 0.0, reach_ = 0.0;
   double from_s_ = 0.0, from_q_ = 0.0;
   int bins_s_ = 0, bins_q_ = 0;

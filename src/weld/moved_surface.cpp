@@ -38,7 +38,7 @@ public:
     const auto x = std::minmax({ a.x(), b.x(), c.x() }), y = std::minmax({ a.y(), b.y(), c.y() });
     const float slope_x = static_cast<float>(-normal.x() / normal.z());
     const float slope_y = static_cast<float>(-normal.y() / normal.z());
-    bins_.within(x.first, x.second, y.first, y.second,
+    bins_.within({ x.first, x.second, y.first, y.second },
                  [&](std::uint32_t i)
                  {
                    const double px = static_cast<double>(places_.x[i]) - a.x();
@@ -72,38 +72,26 @@ double pointVariance(const ScanGrid& grid, std::size_t i)
 PlaceBins::PlaceBins(const ScanGrid& grid, const std::vector<std::uint8_t>& wanted) : grid_(grid)
 {
   const auto use = [&](std::size_t i) { return std::isfinite(grid.z[i]) && (wanted.empty() || wanted[i] != 0); };
-  double right = -INFINITY, far = -INFINITY;
-  left_ = near_ = INFINITY;
-  for (std::size_t i = 0; i < grid.z.size(); ++i)
-  {
-    if (!use(i))
-      continue;
-    const auto x = static_cast<double>(grid.x[i]), y = static_cast<double>(grid.y[i]);
-    left_ = std::min(left_, x), right = std::max(right, x);
-    near_ = std::min(near_, y), far = std::max(far, y);
-  }
-  if (!(right >= left_))
-    left_ = right = near_ = far = 0.0;
+  GridExtent extent = extentOf(grid, use);
+  if (extent.empty())
+    extent = { 0.0, 0.0, 0.0, 0.0 };
+  left_ = extent.left, near_ = extent.near;
   size_ = std::max(
-      { 2e-4, std::sqrt((right - left_) * (far - near_) / kMostBins), (right - left_) / 1e4, (far - near_) / 1e4 });
-  columns_ = static_cast<int>((right - left_) / size_) + 1;
-  rows_ = static_cast<int>((far - near_) / size_) + 1;
+      { 2e-4, std::sqrt(extent.width() * extent.length() / kMostBins), extent.width() / 1e4, extent.length() / 1e4 });
+  columns_ = static_cast<int>(extent.width() / size_) + 1;
+  rows_ = static_cast<int>(extent.length() / size_) + 1;
   const auto binOf = [&](std::size_t i)
   {
     return static_cast<std::size_t>(row(static_cast<double>(grid.y[i]))) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column(static_cast<double>(grid.x[i])));
   };
-  first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-  for (std::size_t i = 0; i < grid.z.size(); ++i)
-    if (use(i))
-      ++first_[binOf(i) + 1];
-  for (std::size_t bin = 1; bin < first_.size(); ++bin)
-    first_[bin] += first_[bin - 1];
-  places_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < grid.z.size(); ++i)
-    if (use(i))
-      places_[next[binOf(i)]++] = static_cast<std::uint32_t>(i);
+  places_.fill(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
+               [&](const auto& put)
+               {
+                 for (std::size_t i = 0; i < grid.z.size(); ++i)
+                   if (use(i))
+                     put(binOf(i), static_cast<std::uint32_t>(i));
+               });
 }
 
 int PlaceBins::column(double x) const

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "binned.h"
 #include "scan_facets.h"
 
 namespace weld_profiler
@@ -21,18 +22,18 @@ public:
 
   const ScanGrid& grid() const { return grid_; }
 
-  /// Calls visit(index, x, y) for each place within a box (and a few around it).
+  /// Calls visit(index) for each place within a box (and a few around it).
   template <class Visit>
-  void within(double x_from, double x_to, double y_from, double y_to, Visit&& visit) const
+  void within(const GridExtent& box, Visit&& visit) const
   {
-    const int left = column(x_from), right = column(x_to), near = row(y_from), far = row(y_to);
+    const int left = column(box.left), right = column(box.right), near = row(box.near), far = row(box.far);
     for (int r = near; r <= far; ++r)
     {
       for (int c = left; c <= right; ++c)
       {
         const auto bin = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
-        for (std::size_t i = first_[bin]; i < first_[bin + 1]; ++i)
-          visit(places_[i]);
+        for (const std::uint32_t* place = places_.begin(bin); place != places_.end(bin); ++place)
+          visit(*place);
       }
     }
   }
@@ -44,8 +45,7 @@ private:
   const ScanGrid& grid_;
   double left_ = 0.0, near_ = 0.0, size_ = 1.0;  ///< [m]
   int columns_ = 1, rows_ = 1;
-  std::vector<std::size_t> first_;  ///< of each bin, and one more
-  std::vector<std::uint32_t> places_;
+  Binned<std::uint32_t> places_;
 };
 
 /// Variance of a point's z, as it says itself [m^2].

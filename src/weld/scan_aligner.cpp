@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
+#include "said.h"
 #include "statistics.h"
 #include "weld_profiler/core/errors.h"
 
@@ -55,10 +55,7 @@ Vector6d stepOf(const Eigen::Isometry3d& motion, const Eigen::Vector3d& about)
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts)
 {
-  std::ostringstream text;
-  text.precision(3);
-  (text << ... << parts);
-  throw InputError(text.str());
+  throw InputError(said(parts...));
 }
 }  // namespace
 

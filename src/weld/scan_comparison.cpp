@@ -1,11 +1,11 @@
 #include "weld_profiler/weld/scan_comparison.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "compared_scans.h"
 #include "ground_metal.h"
 #include "over_ground.h"
+#include "said.h"
 #include "scan_aligner.h"
 #include "scan_facets.h"
 #include "statistics.h"
@@ -21,15 +21,6 @@ namespace
 {
 constexpr double kWholeShare = 0.995;  // a note is made of less
 constexpr double kNoted = 2e-7;        // areas are noted from here [m^2]
-
-template <class... Parts>
-std::string text(const Parts&... parts)
-{
-  std::ostringstream out;
-  out.precision(3);
-  (out << ... << parts);
-  return out.str();
-}
 
 WeldResult measureBefore(const Scan& scan, const WeldMeasurer& measurer)
 {
@@ -58,10 +49,10 @@ std::string told(const ScanAlignment& aligned, const CompareParams& params)
     if (!is_told)
       given += (given.empty() ? "" : ", ") + what;
   };
-  const std::string shift = text(" (1 sigma ", 1e3 * params.placement, " mm)");
+  const std::string shift = said(" (1 sigma ", 1e3 * params.placement, " mm)");
   add(aligned.across_told, "the shift across the weld" + shift);
   add(aligned.along_told, "the shift along the weld" + shift);
-  add(aligned.turn_told, text("the turn in the plates' plane (1 sigma ", params.placement_turn_deg, " deg)"));
+  add(aligned.turn_told, said("the turn in the plates' plane (1 sigma ", params.placement_turn_deg, " deg)"));
   return given.empty() ? "" : "taken as the scans lie, because no surface tells it: " + given;
 }
 
@@ -150,13 +141,13 @@ private:
     if (comparison.aligned.by_toes)
       note("the toes were left standing and tell how the scans lie across the weld");
     if (areas.share < kWholeShare)
-      note(text(100.0 * (1.0 - areas.share), " % of the weld and its surroundings is missing in the scan after: the ",
+      note(said(100.0 * (1.0 - areas.share), " % of the weld and its surroundings is missing in the scan after: the ",
                 "volumes are those of the rest"));
     if (areas.low > kNoted)
-      note(text(1e6 * areas.low, " mm^2 lie below the target by more than ", 1e3 * params_.over_ground_limit,
+      note(said(1e6 * areas.low, " mm^2 lie below the target by more than ", 1e3 * params_.over_ground_limit,
                 " mm and did so before grinding (undercut, incomplete fill): not over-ground"));
     if (areas.higher > kNoted)
-      note(text(1e6 * areas.higher, " mm^2 are higher after grinding than before by more than ",
+      note(said(1e6 * areas.higher, " mm^2 are higher after grinding than before by more than ",
                 1e3 * params_.over_ground_limit, " mm: something lies there, or it is another weld"));
     if (!result_.reason.empty())
       note("scan before: " + result_.reason);
@@ -171,13 +162,12 @@ private:
       map->assign(static_cast<std::size_t>(result_.rows) * result_.cells, nan);
     for (int row = 0; row < grid_.rows; ++row)
     {
-      const auto from = static_cast<std::size_t>(grid_.scan_row[static_cast<std::size_t>(row)]) * result_.cells;
       for (int column = 0; column < grid_.cells; ++column)
       {
         const std::size_t in_grid = grid_.at(row, column);
         if (!std::isfinite(scans_.after[in_grid].z))
           continue;
-        const std::size_t in_scan = from + static_cast<std::size_t>(grid_.column(column));
+        const std::size_t in_scan = grid_.inScan(row, column);
         comparison.after[in_scan] = scans_.after[in_grid].z;
         comparison.removed[in_scan] = static_cast<float>(scans_.taken(in_grid));
         comparison.remaining[in_scan] = static_cast<float>(scans_.above(in_grid));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -33,7 +34,40 @@ struct ScanGrid
   {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) + static_cast<std::size_t>(column);
   }
+
+  /// Index of a point in the scan, row by row in the scan's own order.
+  std::size_t inScan(int row, int column) const
+  {
+    return at(scan_row[static_cast<std::size_t>(row)], this->column(column));
+  }
 };
+
+/// Where points of a grid lie, seen from above [m].
+struct GridExtent
+{
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  double left = kNone, right = -kNone, near = kNone, far = -kNone;
+
+  bool empty() const { return !(right >= left); }
+  double width() const { return right - left; }
+  double length() const { return far - near; }
+};
+
+/// @param use  whether the point of an index counts.
+template <class Use>
+GridExtent extentOf(const ScanGrid& grid, Use&& use)
+{
+  GridExtent extent;
+  for (std::size_t i = 0; i < grid.z.size(); ++i)
+  {
+    if (!use(i))
+      continue;
+    const auto x = static_cast<double>(grid.x[i]), y = static_cast<double>(grid.y[i]);
+    extent.left = std::min(extent.left, x), extent.right = std::max(extent.right, x);
+    extent.near = std::min(extent.near, y), extent.far = std::max(extent.far, y);
+  }
+  return extent;
+}
 
 /// @throws PreconditionError when a cell lies outside the scan.
 ScanGrid makeGrid(const Scan& scan);

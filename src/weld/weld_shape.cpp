@@ -63,13 +63,12 @@ void sortPoints(const ScanGrid& grid, const WeldResult& result, Sorter& sorter)
   double near_s = result.path.front().s;
   for (int row = 0; row < grid.rows; ++row)
   {
-    const std::size_t from = static_cast<std::size_t>(grid.scan_row[static_cast<std::size_t>(row)]) * result.cells;
     for (int column = 0; column < grid.cells; ++column)
     {
       const std::size_t i = grid.at(row, column);
       if (!std::isfinite(grid.z[i]))
         continue;
-      const std::size_t at = from + static_cast<std::size_t>(grid.column(column));
+      const std::size_t at = grid.inScan(row, column);
       const double target = static_cast<double>(result.target[at]);
       const auto label = static_cast<WeldLabel>(result.labels[at]);
       if (!std::isfinite(target) && label != WeldLabel::Bead)

@@ -16,11 +16,14 @@ constexpr double kMostBins = 2000.0;  // a side
 
 bool ofWeld(std::uint8_t label)
 {
-  return label == static_cast<std::uint8_t>(WeldLabel::Bead) ||
-         label == static_cast<std::uint8_t>(WeldLabel::Undercut) ||
-         label == static_cast<std::uint8_t>(WeldLabel::Spatter);
+  return isMetal(label) || label == static_cast<std::uint8_t>(WeldLabel::Undercut);
 }
 }  // namespace
+
+bool isMetal(std::uint8_t label)
+{
+  return label == static_cast<std::uint8_t>(WeldLabel::Bead) || label == static_cast<std::uint8_t>(WeldLabel::Spatter);
+}
 
 GridMaps gridMaps(const ScanGrid& grid, const WeldResult& result)
 {
@@ -29,13 +32,12 @@ GridMaps gridMaps(const ScanGrid& grid, const WeldResult& result)
   maps.target.assign(grid.z.size(), std::numeric_limits<float>::quiet_NaN());
   for (int row = 0; row < grid.rows; ++row)
   {
-    const auto from = static_cast<std::size_t>(grid.scan_row[static_cast<std::size_t>(row)]) * result.cells;
     for (int column = 0; column < grid.cells; ++column)
     {
       const std::size_t in_grid = grid.at(row, column);
       if (!std::isfinite(grid.z[in_grid]))
         continue;
-      const std::size_t in_scan = from + static_cast<std::size_t>(grid.column(column));
+      const std::size_t in_scan = grid.inScan(row, column);
       maps.labels[in_grid] = result.labels[in_scan];
       maps.target[in_grid] = result.target[in_scan];
     }
@@ -45,21 +47,16 @@ GridMaps gridMaps(const ScanGrid& grid, const WeldResult& result)
 
 std::vector<float> distanceToWeld(const ScanGrid& grid, const std::vector<std::uint8_t>& labels)
 {
-  double left = INFINITY, right = -INFINITY, near = INFINITY, far = -INFINITY;
-  for (std::size_t i = 0; i < grid.z.size(); ++i)
-  {
-    if (!std::isfinite(grid.z[i]))
-      continue;
-    left = std::min(left, static_cast<double>(grid.x[i])), right = std::max(right, static_cast<double>(grid.x[i]));
-    near = std::min(near, static_cast<double>(grid.y[i])), far = std::max(far, static_cast<double>(grid.y[i]));
-  }
+  const GridExtent extent = extentOf(grid, [&grid](std::size_t i) { return std::isfinite(grid.z[i]); });
   std::vector<float> distances(grid.z.size(), std::numeric_limits<float>::infinity());
-  if (!(right >= left))
+  if (extent.empty())
     return distances;
-  const double bin = std::max({ kBin, (right - left) / kMostBins, (far - near) / kMostBins });
-  const auto column = [&](std::size_t i) { return static_cast<int>((static_cast<double>(grid.x[i]) - left) / bin); };
-  const auto row = [&](std::size_t i) { return static_cast<int>((static_cast<double>(grid.y[i]) - near) / bin); };
-  cv::Mat1b elsewhere(static_cast<int>((far - near) / bin) + 1, static_cast<int>((right - left) / bin) + 1,
+  const double bin = std::max({ kBin, extent.width() / kMostBins, extent.length() / kMostBins });
+  const auto column = [&](std::size_t i)
+  { return static_cast<int>((static_cast<double>(grid.x[i]) - extent.left) / bin); };
+  const auto row = [&](std::size_t i)
+  { return static_cast<int>((static_cast<double>(grid.y[i]) - extent.near) / bin); };
+  cv::Mat1b elsewhere(static_cast<int>(extent.length() / bin) + 1, static_cast<int>(extent.width() / bin) + 1,
                       std::uint8_t{ 255 });
   bool any = false;
   for (std::size_t i = 0; i < grid.z.size(); ++i)

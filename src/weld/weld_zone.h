@@ -17,6 +17,9 @@ struct GridMaps
   std::vector<float> target;         ///< [m]
 };
 
+/// Whether grinding takes what a point lies on: bead or spatter.
+bool isMetal(std::uint8_t label);
+
 GridMaps gridMaps(const ScanGrid& grid, const WeldResult& result);
 
 /// How far each point lies from the weld's nearest (bead, undercut, spatter), seen from above [m].

@@ -7,10 +7,10 @@ import unittest
 import numpy as np
 
 from weld_folder import COLUMNS, Weld, write_csv, write_folder, write_json, write_pcd
-from weld_report_test import Case
+from weld_report_case import WeldReportCase
 
 
-class Incomplete(Case):
+class Incomplete(WeldReportCase):
     def test_without_any_optional_file(self):
         self.make(rows=30, cells=300)
         for name in ("weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd"):
@@ -125,7 +125,7 @@ class Incomplete(Case):
         self.page()
 
 
-class Broken(Case):
+class Broken(WeldReportCase):
     def setUp(self):
         super().setUp()
         self.make(rows=12, cells=100)

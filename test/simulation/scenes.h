@@ -23,6 +23,17 @@ inline SceneParams flatScene()
   return scene;
 }
 
+/// b = 10 mm, h = 2 mm along y, without ends or ripples: the bead reaches from x = -5 to 5 mm, a circle of radius
+/// (25 + 4) / 4 = 7.25 mm.
+inline SceneParams plainWeld(int frame_count = 40)
+{
+  SceneParams scene;
+  scene.frame_count = frame_count;
+  scene.weld.start = -0.02;
+  scene.weld.end_length = 0.0;
+  return scene;
+}
+
 /// Weld yawed 7 deg, a gauge step, a marked corner, speed +-50 %, lens distortion: nothing in it is symmetric.
 inline SceneParams chiralScene()
 {

@@ -8,16 +8,6 @@ namespace weld_profiler
 {
 namespace
 {
-/// b = 10 mm, h = 2 mm along y, without ends: the bead reaches from x = -5 to 5 mm.
-SceneParams plainWeld()
-{
-  SceneParams scene;
-  scene.frame_count = 40;
-  scene.weld.start = -0.02;
-  scene.weld.end_length = 0.0;
-  return scene;
-}
-
 TEST(WeldSection, ThroughAPointIsThatOfThePathsPointBesideIt)
 {
   SceneParams scene = plainWeld();

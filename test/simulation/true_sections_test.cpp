@@ -5,22 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "simulation/scenes.h"
+#include "support/circle_segment.h"
 
 namespace weld_profiler
 {
 namespace
 {
 constexpr double kRadPerDeg = M_PI / 180.0;
-
-/// A weld without ends or ripples, b = 10 mm, h = 2 mm: a circle of radius (25 + 4) / 4 = 7.25 mm.
-SceneParams plainWeld()
-{
-  SceneParams scene;
-  scene.frame_count = 20;
-  scene.weld.start = -0.02;
-  scene.weld.end_length = 0.0;
-  return scene;
-}
 
 WeldTruth middleOf(const SceneParams& scene)
 {
@@ -31,7 +22,7 @@ WeldTruth middleOf(const SceneParams& scene)
 
 TEST(TrueSections, MeasureACircularSegment)
 {
-  const WeldTruth section = middleOf(plainWeld());
+  const WeldTruth section = middleOf(plainWeld(20));
   EXPECT_EQ(section.row, 10);
   EXPECT_NEAR(section.stage, 10 * 0.005 / 20.0, 1e-12);
   EXPECT_NEAR(section.s, section.stage + 0.02, 1e-9);
@@ -43,13 +34,12 @@ TEST(TrueSections, MeasureACircularSegment)
   EXPECT_NEAR(section.toe_right[1], section.stage, 1e-9);
   EXPECT_NEAR(section.toe_right[2], 0.0, 1e-12);
   EXPECT_EQ(section.undercut_left + section.undercut_right + section.misalignment, 0.0);
-  const double radius = 0.00725, half_angle = std::asin(5.0 / 7.25);
-  EXPECT_NEAR(section.area, radius * radius * (half_angle - std::sin(half_angle) * std::cos(half_angle)), 1e-10);
+  EXPECT_NEAR(section.area, segmentArea(0.010, 0.002), 1e-10);
 }
 
 TEST(TrueSections, TakeTheToeAngleFromTheFirstPieceOfTheFace)
 {
-  const WeldTruth section = middleOf(plainWeld());
+  const WeldTruth section = middleOf(plainWeld(20));
   // the face leaves the plate at 43.6 deg; its chord to a third of the height is flatter
   const double third = 0.002 / 3.0, radius = 0.00725;
   const double q = std::sqrt(radius * radius - std::pow(third + radius - 0.002, 2.0));
@@ -60,7 +50,7 @@ TEST(TrueSections, TakeTheToeAngleFromTheFirstPieceOfTheFace)
 
 TEST(TrueSections, SeeMisalignmentAndBothHeights)
 {
-  SceneParams scene = plainWeld();
+  SceneParams scene = plainWeld(20);
   scene.plates.misalignment = 0.001;
   const WeldTruth section = middleOf(scene);
   EXPECT_NEAR(section.misalignment, 0.001, 1e-9);
@@ -74,7 +64,7 @@ TEST(TrueSections, SeeMisalignmentAndBothHeights)
 
 TEST(TrueSections, SeeUndercutOnTheRightSide)
 {
-  SceneParams scene = plainWeld();
+  SceneParams scene = plainWeld(20);
   scene.weld.undercut_right = 0.0004;
   const WeldTruth section = middleOf(scene);
   EXPECT_NEAR(section.undercut_right, 0.0004, 1e-8);
@@ -84,7 +74,7 @@ TEST(TrueSections, SeeUndercutOnTheRightSide)
 
 TEST(TrueSections, LieAcrossAnObliqueWeld)
 {
-  SceneParams scene = plainWeld();
+  SceneParams scene = plainWeld(20);
   scene.weld.yaw_deg = 20.0;
   const WeldTruth section = middleOf(scene);
   EXPECT_NEAR(section.yaw, 20.0 * kRadPerDeg, 1e-9);
@@ -95,7 +85,7 @@ TEST(TrueSections, LieAcrossAnObliqueWeld)
 
 TEST(TrueSections, FollowACurvedWeld)
 {
-  SceneParams scene = plainWeld();
+  SceneParams scene = plainWeld(20);
   scene.weld.curvature = 5.0;  // radius 200 mm, to the right
   const auto sections = SimulatedScan(scene).weldSections();
   ASSERT_EQ(sections.size(), 20U);
@@ -111,7 +101,7 @@ TEST(TrueSections, FollowACurvedWeld)
 
 TEST(TrueSections, EndWhereTheWeldEnds)
 {
-  SceneParams scene = plainWeld();
+  SceneParams scene = plainWeld(20);
   scene.weld.start = 0.0011;
   scene.weld.length = 0.002;
   scene.weld.end_length = 0.0005;
@@ -124,7 +114,7 @@ TEST(TrueSections, EndWhereTheWeldEnds)
 
 TEST(TrueSections, AgreeWithTheTruePointsOfTheSameRow)
 {
-  SceneParams scene = plainWeld();
+  SceneParams scene = plainWeld(20);
   scene.weld.ripple_height = 0.0001;
   const SimulatedScan scan(scene);
   const auto sections = scan.weldSections();

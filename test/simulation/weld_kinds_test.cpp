@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/scenes.h"
+#include "support/circle_segment.h"
 
 namespace weld_profiler
 {
@@ -10,13 +11,9 @@ namespace
 {
 constexpr double kRadPerDeg = M_PI / 180.0;
 
-/// A weld without ends or ripples, b = 10 mm, h = 2 mm.
 SceneParams plainWeld(const std::string& kind)
 {
-  SceneParams scene;
-  scene.frame_count = 12;
-  scene.weld.start = -0.02;
-  scene.weld.end_length = 0.0;
+  SceneParams scene = weld_profiler::plainWeld(12);
   scene.weld.kind = kind;
   if (kind == "fillet")
     scene.plates.angle_deg = 90.0;
@@ -28,13 +25,6 @@ WeldTruth middleOf(const SceneParams& scene)
   const auto sections = SimulatedScan(scene).weldSections();
   EXPECT_EQ(sections.size(), 12U);
   return sections.empty() ? WeldTruth() : sections[6];
-}
-
-double segmentArea(double width, double height)
-{
-  const double radius = (width * width / 4.0 + height * height) / (2.0 * height);
-  const double half_angle = std::asin(width / 2.0 / radius);
-  return radius * radius * (half_angle - std::sin(half_angle) * std::cos(half_angle));
 }
 
 TEST(WeldKinds, AFilletHasLegsAndThroatOfItsTriangle)

@@ -3,28 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "simulation/scenes.h"
+#include "support/circle_segment.h"
 
 namespace weld_profiler
 {
 namespace
 {
-/// b = 10 mm, h = 2 mm along y, without ends: the bead reaches from x = -5 to 5 mm.
-SceneParams plainWeld()
-{
-  SceneParams scene;
-  scene.frame_count = 40;
-  scene.weld.start = -0.02;
-  scene.weld.end_length = 0.0;
-  return scene;
-}
-
-double segmentArea(double width, double height)
-{
-  const double radius = (width * width / 4.0 + height * height) / (2.0 * height);
-  const double half_angle = std::asin(width / 2.0 / radius);
-  return radius * radius * (half_angle - std::sin(half_angle) * std::cos(half_angle));
-}
-
 TEST(WeldVolume, OfAPrismIsAreaTimesLength)
 {
   const SimulatedScan scan(plainWeld());

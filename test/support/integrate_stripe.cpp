@@ -9,8 +9,8 @@ namespace test_support
 {
 namespace
 {
-constexpr double kChord = 0.25;   ///< columns a chord is long; it leaves the line by kChord^2 / 8 * curvature [px]
-constexpr double kReach = 6.0;    ///< of the light, in sigmas
+constexpr double kChord = 0.25;  ///< columns a chord is long; it leaves the line by kChord^2 / 8 * curvature [px]
+constexpr double kReach = 6.0;   ///< of the light, in sigmas
 // Gauss-Legendre, three points a pixel each way.
 const double kNodes[] = { -0.5 * 0.7745966692414834, 0.0, 0.5 * 0.7745966692414834 };
 const double kWeights[] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };

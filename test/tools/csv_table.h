@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "support/csv_fields.h"
+
 namespace weld_profiler
 {
 /// A CSV file with a header; an empty field is NaN.
@@ -26,19 +28,6 @@ struct CsvTable
     return values;
   }
 };
-
-inline std::vector<std::string> csvFields(const std::string& line)
-{
-  std::vector<std::string> fields(1);
-  for (const char letter : line)
-  {
-    if (letter == ',')
-      fields.emplace_back();
-    else
-      fields.back() += letter;
-  }
-  return fields;
-}
 
 inline CsvTable csvTable(const std::string& text)
 {

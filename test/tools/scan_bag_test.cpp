@@ -1,70 +1,19 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
-#include <yaml-cpp/yaml.h>
 
-#include "bag_rewrite.h"
-#include "run_command_line.h"
+#include "scan_bag_case.h"
 
 namespace weld_profiler
 {
 namespace
 {
-// the default rig at a quarter of its pixels, so that a frame takes a moment
-const char* const kScene = R"(preset: realistic
-frame_count: 20
-encoder_rate: 200
-laser: {sigma_px: 1.4, lens_sigma_px: 0.9}
-camera:
-  image_width: 360
-  image_height: 270
-  camera_matrix: [1500.0, 0.0, 179.5, 0.0, 1500.0, 134.5, 0.0, 0.0, 1.0]
-  distortion_model: plumb_bob
-  distortion_coefficients: [0.0, 0.0, 0.0, 0.0, 0.0]
-)";
-const std::string kCalibration = "--calibration weld.bag.truth/calibration.yaml ";
-
-class ScanBag : public CommandTest
-{
-protected:
-  void SetUp() override
-  {
-    CommandTest::SetUp();
-    write("scene.yaml", kScene);
-    ASSERT_EQ(run("simulate_scan", "--scene scene.yaml --out weld.bag").status, 0);
-  }
-
-  CommandResult scan(const std::string& arguments) const { return run("scan_bag", arguments); }
-
-  YAML::Node summary(const std::string& directory) const { return YAML::LoadFile(path(directory + "/summary.json")); }
-
-  /// weld.bag with every message through change, which may leave it out by returning false.
-  template <class Message>
-  void rewrite(const std::string& target, const std::function<bool(std::size_t, Message&)>& change) const
-  {
-    rewriteBag<Message>(path("weld.bag"), path(target), change);
-  }
-
-  /// frames_in = rows + no_stripe + skipped + unplaced + dropped.
-  static void expectClosed(const YAML::Node& summary)
-  {
-    std::uint64_t sum = summary["rows"].as<std::uint64_t>() + summary["no_stripe"].as<std::uint64_t>() +
-                        summary["skipped"].as<std::uint64_t>();
-    for (const char* key : { "unplaced", "dropped" })
-    {
-      for (const auto& reason : summary[key])
-        sum += reason.second.as<std::uint64_t>();
-    }
-    EXPECT_EQ(sum, summary["frames_in"].as<std::uint64_t>());
-  }
-};
-
 /// What a bag with one scan of a weld leaves; where a scan as coarse as this one shows no section there are no meshes.
 std::vector<std::string> weldFiles(bool meshes)
 {
@@ -218,67 +167,6 @@ TEST_F(ScanBag, ACalibrationOfAnotherCameraIsRefusedFrameByFrame)
   EXPECT_EQ(result.status, 3) << result.errors;
   EXPECT_TRUE(result.says("camera_info K[0] is 1500")) << result.errors;
   EXPECT_EQ(summary("scan")["dropped"]["camera_info"].as<int>(), 20);
-}
-
-/// One line on standard error, exit status 1, nothing left behind.
-class ScanBagRefuses : public ScanBag
-{
-protected:
-  void refuses(const std::string& arguments, const std::vector<std::string>& words)
-  {
-    const CommandResult result = scan(arguments);
-    EXPECT_EQ(result.status, 1) << arguments;
-    EXPECT_EQ(result.errorLines(), 1) << result.errors;
-    for (const std::string& word : words)
-      EXPECT_TRUE(result.says(word)) << "no '" << word << "' in: " << result.errors;
-    EXPECT_FALSE(std::filesystem::exists(path("out"))) << arguments;
-  }
-};
-
-TEST_F(ScanBagRefuses, ABagThatIsNoneOrDamaged)
-{
-  refuses(kCalibration + "--out out nowhere.bag", { "nowhere.bag" });
-  write("text.bag", "this is no bag\n");
-  refuses(kCalibration + "--out out text.bag", { "text.bag" });
-  const std::string whole = text("weld.bag");
-  write("cut.bag", whole.substr(0, whole.size() / 2));
-  refuses(kCalibration + "--out out cut.bag", { "cut.bag", "rosbag reindex" });
-}
-
-TEST_F(ScanBagRefuses, ABagWithoutTheTopics)
-{
-  rewrite<sensor_msgs::JointState>("no_encoder.bag", [](std::size_t, sensor_msgs::JointState&) { return false; });
-  refuses(kCalibration + "--out out no_encoder.bag", { "no_encoder.bag", "/profiler/joint_states" });
-  rewrite<sensor_msgs::Image>("no_images.bag", [](std::size_t, sensor_msgs::Image&) { return false; });
-  refuses(kCalibration + "--out out no_images.bag", { "no_images.bag", "image_raw" });
-  refuses(kCalibration + "--namespace /other --out out weld.bag", { "/other/image_raw", "/profiler/" });
-}
-
-TEST_F(ScanBagRefuses, AJointThatIsNotThere)
-{
-  rewrite<sensor_msgs::JointState>("other_joint.bag",
-                                   [](std::size_t, sensor_msgs::JointState& joints)
-                                   {
-                                     joints.name[0] = "gripper";
-                                     return true;
-                                   });
-  refuses(kCalibration + "--out out other_joint.bag", { "stage_joint", "gripper" });
-}
-
-TEST_F(ScanBagRefuses, BadParametersAndPlaces)
-{
-  refuses("--calibration nowhere.yaml --out out weld.bag", { "nowhere.yaml" });
-  write("params.yaml", "stripe_centre: {method: gray_center}\n");
-  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "gray_center", "gray_centroid" });
-  write("params.yaml", "stripe_centre: {min_peak_count: 3}\n");
-  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "min_peak_count" });
-  write("params.yaml", "triangulation: {max_encoder_gap: .nan}\n");
-  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "max_encoder_gap", "nan" });
-  refuses(kCalibration + "--max-drop 2 --out out weld.bag", { "max-drop" });
-  refuses(kCalibration + "--motion tf --out out weld.bag", { "fixed_frame" });
-  refuses(kCalibration + "--out /dev/null/out weld.bag", { "/dev/null" });
-  EXPECT_EQ(scan(kCalibration + "weld.bag").status, 2) << "no --out";
-  EXPECT_EQ(scan(kCalibration + "--out out").status, 2) << "no bag";
 }
 }  // namespace
 }  // namespace weld_profiler

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "made_cases.h"
 #include "mesh_checks.h"
 #include "plan_poses.h"
 #include "weld_profiler/weld/grinding.h"
@@ -25,34 +24,20 @@ std::vector<SurfacePose> everyPose(const GrindingPlan& plan)
   return poses;
 }
 
-struct Case
+std::vector<MadeCase> cases()
 {
-  std::string name;
-  MadeWeld weld;
-};
-
-std::vector<Case> cases()
-{
-  std::vector<Case> all;
-  const auto add = [&all](const std::string& name, const std::function<void(MadeWeld&)>& change)
-  {
-    all.push_back({ name, MadeWeld() });
-    change(all.back().weld);
-    MadeWeld flipped = all.back().weld;
-    flipped.flipped = true;
-    all.push_back({ name + "Flipped", flipped });
-  };
-  add("Straight", [](MadeWeld&) {});
-  add("Yawed", [](MadeWeld& weld) { weld.yaw = -20.0 * kDegree; });
-  add("Curved", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; });
-  add("Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; });
-  add("WithARest", [](MadeWeld& weld) { weld.rest = 0.2e-3; });
-  add("Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.2; });
-  add("Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; });
-  return all;
+  return bothWays({
+      { "Straight", [](MadeWeld&) {} },
+      { "Yawed", [](MadeWeld& weld) { weld.yaw = -20.0 * kDegree; } },
+      { "Curved", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; } },
+      { "Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; } },
+      { "WithARest", [](MadeWeld& weld) { weld.rest = 0.2e-3; } },
+      { "Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.2; } },
+      { "Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; } },
+  });
 }
 
-class PlanFor : public ::testing::TestWithParam<Case>
+class PlanFor : public ::testing::TestWithParam<MadeCase>
 {
 protected:
   PlanFor() : weld_(GetParam().weld)
@@ -182,5 +167,4 @@ TEST_P(PlanFor, KeepsTheSpacingOfItsPoints)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Welds, PlanFor, ::testing::ValuesIn(cases()),
-                         [](const ::testing::TestParamInfo<Case>& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Welds, PlanFor, ::testing::ValuesIn(cases()), nameOf);

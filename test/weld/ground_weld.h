@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "support/circle_segment.h"
 #include "weld/ideal_scan.h"
 
 namespace weld_profiler
@@ -53,16 +54,6 @@ inline Scan turnedRound(Scan scan)
       point.cell = static_cast<std::uint16_t>(scan.cells - 1 - point.cell);
   }
   return scan;
-}
-
-/// Area of a circle's segment over a chord.
-inline double segmentArea(double width, double height)
-{
-  if (height == 0.0)
-    return 0.0;
-  const double half = 0.5 * width, radius = 0.5 * (half * half + height * height) / height;
-  const double angle = std::asin(half / radius);
-  return radius * radius * (angle - std::sin(angle) * std::cos(angle));
 }
 
 /// A dip with a flat floor and slopes of 0.4 mm around it, to be taken off a height.

@@ -6,25 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/csv_fields.h"
 #include "weld/sections.h"
 #include "weld_profiler/weld/weld_csv.h"
 
 namespace weld_profiler
 {
-/// The fields of a line of CSV.
-inline std::vector<std::string> split(const std::string& line)
-{
-  std::vector<std::string> fields(1);
-  for (const char letter : line)
-  {
-    if (letter == ',')
-      fields.emplace_back();
-    else
-      fields.back() += letter;
-  }
-  return fields;
-}
-
 inline std::string written(const std::vector<WeldRecord>& records)
 {
   std::ostringstream out;

@@ -30,11 +30,11 @@ std::map<std::string, Line> linesOf(const std::vector<WeldSection>& sections, co
   std::istringstream text(written(WeldJudge(params).judge(weld)));
   std::string line;
   std::getline(text, line);
-  const std::vector<std::string> names = split(line);
+  const std::vector<std::string> names = csvFields(line);
   std::map<std::string, Line> lines;
   while (std::getline(text, line))
   {
-    const std::vector<std::string> fields = split(line);
+    const std::vector<std::string> fields = csvFields(line);
     EXPECT_EQ(fields.size(), names.size()) << line;
     Line& named = lines[fields[0] + " " + fields[1]];
     for (std::size_t i = 0; i < std::min(fields.size(), names.size()); ++i)

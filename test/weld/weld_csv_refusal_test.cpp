@@ -26,8 +26,8 @@ std::string spoilt(const std::string& column, const std::string& value)
   std::getline(text, header);
   std::getline(text, line);
   std::getline(text, rest);
-  const std::vector<std::string> names = split(header);
-  std::vector<std::string> fields = split(line);
+  const std::vector<std::string> names = csvFields(header);
+  std::vector<std::string> fields = csvFields(line);
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     if (names[i] == column)

@@ -46,7 +46,7 @@ struct DecimalComma : std::numpunct<char>
 TEST(WeldCsv, HasTheColumnsThatOthersRelyOn)
 {
   std::string sigmas;
-  for (const std::string& name : split(std::string(kMeasured) + "," + kMeasuredLater))
+  for (const std::string& name : csvFields(std::string(kMeasured) + "," + kMeasuredLater))
     sigmas += ",sigma_" + name;
   const std::string given = std::string("row,stage_mm,") + kMeasured + ",verdict,section,s_mm,yaw_deg," +
                             kMeasuredLater + sigmas + ",reference";
@@ -61,7 +61,7 @@ TEST(WeldCsv, IsWrittenInMillimetresAndDegrees)
 {
   const std::string text = written({ fullRecord() });
   const std::vector<std::string> names = weldCsvColumns();
-  const std::vector<std::string> fields = split(text.substr(text.find('\n') + 1));
+  const std::vector<std::string> fields = csvFields(text.substr(text.find('\n') + 1));
   ASSERT_EQ(fields.size(), names.size());
   const auto field = [&](const std::string& name)
   { return fields[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())]; };
@@ -158,7 +158,7 @@ TEST(WeldCsv, OfTheTruthHasTheSameColumnsAndIsRead)
     if (name.rfind("sigma_", 0) != 0)
       ours.push_back(name);
   }
-  const std::vector<std::string> theirs = split(header);
+  const std::vector<std::string> theirs = csvFields(header);
   // Behind what both have the truth tells a fillet's convexity and the kind, weld.csv of a scan where its verdict is
   // from.
   const std::size_t common = ours.size() - 1;

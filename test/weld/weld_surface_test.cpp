@@ -1,53 +1,37 @@
 #include "weld_profiler/weld/weld_surface.h"
 
 #include <algorithm>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "made_weld.h"
+#include "made_cases.h"
 #include "mesh_checks.h"
 
 using namespace weld_profiler;
 
 namespace
 {
-struct Case
+std::vector<MadeCase> cases()
 {
-  std::string name;
-  MadeWeld weld;
-};
-
-std::vector<Case> cases()
-{
-  std::vector<Case> all;
-  const auto add = [&all](const std::string& name, const std::function<void(MadeWeld&)>& change)
-  {
-    all.push_back({ name, MadeWeld() });
-    change(all.back().weld);
-    MadeWeld flipped = all.back().weld;
-    flipped.flipped = true;
-    all.push_back({ name + "Flipped", flipped });
-  };
-  add("Straight", [](MadeWeld&) {});
-  add("Yawed", [](MadeWeld& weld) { weld.yaw = 20.0 * kDegree; });
-  add("CurvedRight", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; });
-  add("CurvedLeftAndYawed", [](MadeWeld& weld) { weld.bend = -1.0 / 0.08, weld.yaw = -10.0 * kDegree; });
-  add("Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; });
-  add("Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.3; });
-  add("Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; });
-  add("CoarseRows", [](MadeWeld& weld) { weld.pitch = 0.4e-3, weld.rows = 50; });
-  add("HighAndNarrow", [](MadeWeld& weld) { weld.width = 4e-3, weld.height = 1.6e-3; });
-  add("WithHoles",
-      [](MadeWeld& weld) {
-        weld.holes = { { -2e-3, 0.0, -2e-3, 1e-3 }, { 4e-3, 5e-3, -9e-3, -3e-3 }, { 5e-3, 5.8e-3, -3e-3, 0.0 } };
-      });
-  return all;
+  return bothWays({
+      { "Straight", [](MadeWeld&) {} },
+      { "Yawed", [](MadeWeld& weld) { weld.yaw = 20.0 * kDegree; } },
+      { "CurvedRight", [](MadeWeld& weld) { weld.bend = 1.0 / 0.08; } },
+      { "CurvedLeftAndYawed", [](MadeWeld& weld) { weld.bend = -1.0 / 0.08, weld.yaw = -10.0 * kDegree; } },
+      { "Misaligned", [](MadeWeld& weld) { weld.misalignment = 0.5e-3; } },
+      { "Narrowing", [](MadeWeld& weld) { weld.narrowing = 0.3; } },
+      { "Noisy", [](MadeWeld& weld) { weld.sigma = 15e-6; } },
+      { "CoarseRows", [](MadeWeld& weld) { weld.pitch = 0.4e-3, weld.rows = 50; } },
+      { "HighAndNarrow", [](MadeWeld& weld) { weld.width = 4e-3, weld.height = 1.6e-3; } },
+      { "WithHoles",
+        [](MadeWeld& weld) {
+          weld.holes = { { -2e-3, 0.0, -2e-3, 1e-3 }, { 4e-3, 5e-3, -9e-3, -3e-3 }, { 5e-3, 5.8e-3, -3e-3, 0.0 } };
+        } },
+  });
 }
 
-class SurfaceOf : public ::testing::TestWithParam<Case>
+class SurfaceOf : public ::testing::TestWithParam<MadeCase>
 {
 protected:
   SurfaceOf() : weld_(GetParam().weld)
@@ -158,5 +142,4 @@ TEST_P(SurfaceOf, HasTheAreaAndVolumeOfTheWeld)
   EXPECT_NEAR(area(meshes_.target) / ((weld_.width + 2.0 * defaults.target_margin) * length), 1.0, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Welds, SurfaceOf, ::testing::ValuesIn(cases()),
-                         [](const ::testing::TestParamInfo<Case>& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Welds, SurfaceOf, ::testing::ValuesIn(cases()), nameOf);

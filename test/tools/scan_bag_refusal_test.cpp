@@ -1,0 +1,75 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/JointState.h>
+
+#include "scan_bag_case.h"
+
+namespace weld_profiler
+{
+namespace
+{
+/// One line on standard error, exit status 1, nothing left behind.
+class ScanBagRefuses : public ScanBag
+{
+protected:
+  void refuses(const std::string& arguments, const std::vector<std::string>& words)
+  {
+    const CommandResult result = scan(arguments);
+    EXPECT_EQ(result.status, 1) << arguments;
+    EXPECT_EQ(result.errorLines(), 1) << result.errors;
+    for (const std::string& word : words)
+      EXPECT_TRUE(result.says(word)) << "no '" << word << "' in: " << result.errors;
+    EXPECT_FALSE(std::filesystem::exists(path("out"))) << arguments;
+  }
+};
+
+TEST_F(ScanBagRefuses, ABagThatIsNoneOrDamaged)
+{
+  refuses(kCalibration + "--out out nowhere.bag", { "nowhere.bag" });
+  write("text.bag", "this is no bag\n");
+  refuses(kCalibration + "--out out text.bag", { "text.bag" });
+  const std::string whole = text("weld.bag");
+  write("cut.bag", whole.substr(0, whole.size() / 2));
+  refuses(kCalibration + "--out out cut.bag", { "cut.bag", "rosbag reindex" });
+}
+
+TEST_F(ScanBagRefuses, ABagWithoutTheTopics)
+{
+  rewrite<sensor_msgs::JointState>("no_encoder.bag", [](std::size_t, sensor_msgs::JointState&) { return false; });
+  refuses(kCalibration + "--out out no_encoder.bag", { "no_encoder.bag", "/profiler/joint_states" });
+  rewrite<sensor_msgs::Image>("no_images.bag", [](std::size_t, sensor_msgs::Image&) { return false; });
+  refuses(kCalibration + "--out out no_images.bag", { "no_images.bag", "image_raw" });
+  refuses(kCalibration + "--namespace /other --out out weld.bag", { "/other/image_raw", "/profiler/" });
+}
+
+TEST_F(ScanBagRefuses, AJointThatIsNotThere)
+{
+  rewrite<sensor_msgs::JointState>("other_joint.bag",
+                                   [](std::size_t, sensor_msgs::JointState& joints)
+                                   {
+                                     joints.name[0] = "gripper";
+                                     return true;
+                                   });
+  refuses(kCalibration + "--out out other_joint.bag", { "stage_joint", "gripper" });
+}
+
+TEST_F(ScanBagRefuses, BadParametersAndPlaces)
+{
+  refuses("--calibration nowhere.yaml --out out weld.bag", { "nowhere.yaml" });
+  write("params.yaml", "stripe_centre: {method: gray_center}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "gray_center", "gray_centroid" });
+  write("params.yaml", "stripe_centre: {min_peak_count: 3}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "min_peak_count" });
+  write("params.yaml", "triangulation: {max_encoder_gap: .nan}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "max_encoder_gap", "nan" });
+  refuses(kCalibration + "--max-drop 2 --out out weld.bag", { "max-drop" });
+  refuses(kCalibration + "--motion tf --out out weld.bag", { "fixed_frame" });
+  refuses(kCalibration + "--out /dev/null/out weld.bag", { "/dev/null" });
+  EXPECT_EQ(scan(kCalibration + "weld.bag").status, 2) << "no --out";
+  EXPECT_EQ(scan(kCalibration + "--out out").status, 2) << "no bag";
+}
+}  // namespace
+}  // namespace weld_profiler
