@@ -192,7 +192,7 @@ Shares compareShares(const MeasuredWeld& weld, const std::vector<SectionCase>& s
       found.push_back(section.s);
   }
   std::sort(found.begin(), found.end());
-  const double near = medianStep(places);
+  const double near = 0.55 * medianStep(places);  // half a step, and some for unequal ones
   Shares shares;
   for (const WeldTruth& truth : truths)
   {

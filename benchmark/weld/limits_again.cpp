@@ -29,7 +29,8 @@ void addHeight(const Judging& judging, const std::array<Deviation, kSizes>& size
   constexpr Levels kShare = { 0.10, 0.15, 0.25 };
   constexpr Levels kButtCap = { 5.0, 7.0, 10.0 }, kFilletCap = { 3.0, 4.0, 5.0 };
   Deviation height = sizes[Reinforcement];
-  if (judging.kind == "butt" && sizes[Misalignment].truth > 0.0)  // of plates that are offset the largest height counts
+  if (judging.kind == "butt" &&
+      sizes[Misalignment].truth > kNoImperfection)  // of plates that are offset the largest height counts
   {
     for (const Size side : { HeightLeft, HeightRight })
     {

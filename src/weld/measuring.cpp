@@ -15,9 +15,11 @@ namespace weld
 {
 namespace
 {
-constexpr double kRoughStep = 3.5e-4;  // between the sections that path and strays are found with [m]
-constexpr double kNearlyAll = 0.9;     // of the sections: when fewer were measured it is said
-constexpr double kLeastScore = 0.3;    // of a kind, else the weld is of none
+constexpr double kRoughStep = 3.5e-4;   // between the sections that path and strays are found with [m]
+constexpr double kNearlyAll = 0.9;      // of the sections: when fewer were measured it is said
+constexpr double kLeastStanding = 0.1;  // of the sections must show a bead beyond doubt
+constexpr int kFewRows = 60;            // so few are all looked at
+constexpr double kLeastScore = 0.3;     // of a kind, else the weld is of none
 
 std::vector<SectionShape> shapesOf(const SeamSections& sections)
 {
@@ -70,7 +72,13 @@ WeldPath Measuring::refinedPath(const SeamSections& sections) const
     samples.push_back(PathSample{ place.x + std::cos(place.yaw) * q, place.y + std::sin(place.yaw) * q,
                                   std::hypot(shape.toe_left.sigma, shape.toe_right.sigma) });
   }
-  return samples.empty() ? *found_.path : WeldPath(samples, found_.from_y, found_.to_y, kPathReach);
+  // toes less certain than the rows show them tell the path worse
+  std::vector<double> sigmas;
+  for (const PathSample& sample : samples)
+    sigmas.push_back(sample.sigma);
+  return samples.empty() || !(median(std::move(sigmas)) < kRowToeSigma)
+             ? *found_.path
+             : WeldPath(samples, found_.from_y, found_.to_y, kPathReach);
 }
 
 void Measuring::measureRoughly()
@@ -78,7 +86,8 @@ void Measuring::measureRoughly()
   const SectionSampler sampler(grid_, *found_.path);
   const SeamGuess guess(grid_, found_.track, *found_.path);
   SeamSections rough(sampler, guess, params_);
-  rough.measureRoughly(sectionPlaces(*found_.path, std::max(kRoughStep, params_.section_step)));
+  const double step = grid_.rows < kFewRows ? 0.0 : kRoughStep;
+  rough.measureRoughly(sectionPlaces(*found_.path, std::max(step, params_.section_step)));
   strays_ = findStrays(grid_, sampler, SeamSurface(rough));
   path_ = std::make_unique<WeldPath>(refinedPath(rough));
 }
@@ -87,7 +96,12 @@ void Measuring::measureFinally()
 {
   sampler_ = std::make_unique<SectionSampler>(grid_, *path_);
   guess_ = std::make_unique<SeamGuess>(grid_, found_.track, *path_);
-  sections_ = std::make_unique<SeamSections>(*sampler_, *guess_, params_);
+  blurred_ = params_;
+  // between rows that cross a toe obliquely its kink is blurred
+  const double oblique = std::abs(std::sin(path_->at(0.5 * path_->length()).yaw)) * grid_.pitch;
+  if (oblique > blurred_.edge_blur)
+    blurred_.edge_blur = oblique;
+  sections_ = std::make_unique<SeamSections>(*sampler_, *guess_, blurred_);
   sections_->measure(sectionPlaces(*path_, params_.section_step), strays_.masked);
   for (WeldSpot& spot : strays_.spots)
     spot.s = path_->locate(spot.x, spot.y, spot.s).s;
@@ -127,16 +141,18 @@ void Measuring::fillSections(WeldResult& result)
   const KindModel& model = kindModel(result.kind);
   for (std::size_t k = 0; k < sections_->size(); ++k)
   {
-    const SectionValues values = sectionValues(sections_->profile(k), sections_->shape(k), params_);
+    const SectionValues values = sectionValues(sections_->profile(k), sections_->shape(k), blurred_);
     WeldSection section = values.section;
     undercut_left_.push_back(values.undercut_width_left);
     undercut_right_.push_back(values.undercut_width_right);
     section.section = static_cast<int>(k);
     section.stage = scan_.rows[static_cast<std::size_t>(section.row)].stage;
+    const bool certain = section.width.sigma <= params_.max_width_sigma;
     // a yaw that is not certain foreshortens by its square's half
     section.width.sigma = std::hypot(section.width.sigma, 0.5 * section.width.value * square(path_->yawSigma()));
     model.measure(sections_->shape(k), section);
-    stands_out_ = stands_out_ || standsOut(section);
+    standing_out_ += standsOut(section) ? 1 : 0;
+    path_doubtful_ = path_doubtful_ || (certain && section.width.sigma > params_.max_width_sigma);
     refuseDoubtful(params_, section);
     result.sections.push_back(section);
     result.path.push_back(sections_->profile(k).place);
@@ -159,14 +175,21 @@ void Measuring::fillResultMaps(WeldResult& result) const
   fillMaps(view, undercut_left_, undercut_right_, params_, result);
 }
 
+/// A section or two in many may rise by chance.
+bool Measuring::standsOutEnough(std::size_t sections) const
+{
+  return standing_out_ > 0 && static_cast<double>(standing_out_) >= kLeastStanding * static_cast<double>(sections);
+}
+
 void Measuring::sayWhatIsMissing(WeldResult& result) const
 {
   const auto all = result.sections.size();
   const auto told = static_cast<std::size_t>(std::count_if(
       result.sections.begin(), result.sections.end(), [](const WeldSection& section) { return section.hasBead(); }));
   if (told == 0)
-    add(result.reason, stands_out_ ? "no section's width is certain enough: the face is too flat at a toe"
-                                   : "no section could be measured");
+    add(result.reason, path_doubtful_      ? "no section's width is certain enough: the weld's direction is not known"
+                       : standing_out_ > 0 ? "no section's width is certain enough: the face is too flat at a toe"
+                                           : "no section could be measured");
   else if (static_cast<double>(told) < kNearlyAll * static_cast<double>(all))
     add(result.reason, std::to_string(all - told) + " of " + std::to_string(all) +
                            " sections could not be measured: a toe is hidden, too flat or not in view there");
@@ -191,7 +214,7 @@ WeldResult Measuring::operator()()
   if (!chooseKind(result))
     return result;
   fillSections(result);
-  if (!stands_out_ && params_.kind == "auto")
+  if (!standsOutEnough(result.sections.size()) && params_.kind == "auto")
   {
     add(result.reason, "no section could be measured");
     result.kind = WeldKind::None;

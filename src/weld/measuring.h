@@ -29,12 +29,14 @@ private:
   bool chooseKind(WeldResult& result) const;
   void fillSections(WeldResult& result);
   void fillResultMaps(WeldResult& result) const;
+  bool standsOutEnough(std::size_t sections) const;
   void sayWhatIsMissing(WeldResult& result) const;
   std::vector<double> sectionPlaces(const WeldPath& path, double step) const;
   WeldPath refinedPath(const SeamSections& sections) const;
 
   const Scan& scan_;
   const WeldParams& params_;
+  WeldParams blurred_;  ///< with the blur of this scan's rows
   ScanGrid grid_;
   FoundWeld found_;
   std::unique_ptr<const WeldPath> path_;
@@ -42,7 +44,8 @@ private:
   std::unique_ptr<const SeamGuess> guess_;
   std::unique_ptr<SeamSections> sections_;
   Strays strays_;
-  bool stands_out_ = false;                             ///< in some section a bead rises beyond doubt
+  int standing_out_ = 0;                                ///< sections in which a bead rises beyond doubt
+  bool path_doubtful_ = false;                          ///< a width was refused for the path's direction
   std::vector<double> undercut_left_, undercut_right_;  ///< width of each section's undercuts [m]
 };
 

@@ -12,13 +12,15 @@ namespace weld
 namespace
 {
 constexpr double kTwoPi = 6.283185307179586;
-constexpr double kStretch = 15e-3;     // [m]
-constexpr double kShortest = 0.4e-3;   // pitch looked for [m]
-constexpr double kLongest = 4e-3;      // [m]
-constexpr double kPitchSteps = 1.015;  // from one pitch tried to the next
-constexpr double kSmooth = 4e-3;       // half width of the smooth course [m]
-constexpr double kShare = 0.33;        // of the variance, explained
-constexpr std::size_t kFewest = 16;    // heights in a stretch
+constexpr double kStretch = 15e-3;        // [m]
+constexpr double kShortest = 0.4e-3;      // pitch looked for [m]
+constexpr double kLongest = 4e-3;         // [m]
+constexpr double kPitchSteps = 1.015;     // from one pitch tried to the next
+constexpr double kSmooth = 4e-3;          // half width of the smooth course [m]
+constexpr double kShare = 0.33;           // of the variance, explained
+constexpr double kFinest = 1e-4;          // of the pitch, that it is searched to
+constexpr double kUnknownScatter = 0.02;  // of pitch and height, where there are too few stretches to tell it
+constexpr std::size_t kFewest = 16;       // heights in a stretch
 
 struct Wave
 {
@@ -87,13 +89,44 @@ Wave strongestWave(const Series& series)
     return best;
   const double length = series.s.back() - series.s.front();
   const double step = length / static_cast<double>(series.s.size() - 1);
-  for (double pitch = std::max(kShortest, 2.5 * step); pitch < std::min(kLongest, 0.34 * length); pitch *= kPitchSteps)
+  const double shortest = std::max(kShortest, 2.5 * step), longest = std::min(kLongest, 0.34 * length);
+  for (double pitch = shortest; pitch < longest; pitch *= kPitchSteps)
   {
     const Wave wave = fitWave(series, pitch);
     if (wave.share > best.share)
       best = wave;
   }
+  // at an end of the search nothing says that it is a wave at all
+  if (best.pitch < shortest * kPitchSteps || best.pitch > longest / square(kPitchSteps))
+    return Wave();
+  for (double part = kPitchSteps - 1.0; part > kFinest; part *= 0.5)
+  {
+    for (const double pitch : { best.pitch * (1.0 - part), best.pitch * (1.0 + part) })
+    {
+      const Wave wave = fitWave(series, pitch);
+      if (wave.share > best.share)
+        best = wave;
+    }
+  }
   return best;
+}
+}  // namespace
+
+namespace
+{
+/// 1-sigma of a median over stretches, from their scatter.
+double scatterOf(const std::vector<double>& values)
+{
+  constexpr std::size_t kEnough = 3;
+  constexpr double kOfMedian = 1.2533;  // a median's sigma over a mean's
+  const double middle = median(values);
+  if (values.size() < kEnough)
+    return kUnknownScatter * middle;
+  std::vector<double> departures;
+  for (const double value : values)
+    departures.push_back(value - middle);
+  return kOfMedian * std::max(robustSigma(std::move(departures)), kFinest * middle) /
+         std::sqrt(static_cast<double>(values.size()));
 }
 }  // namespace
 
@@ -124,6 +157,8 @@ Ripples findRipples(const std::vector<double>& s, const std::vector<double>& hei
   // a frequency is known to sqrt(6 / N) / pi noise over (amplitude times length): D. Rife, R. Boorstyn, 1974
   ripples.pitch.sigma = square(ripples.pitch.value) * std::sqrt(6.0 / count) / 3.14159265 * noise /
                         (0.5 * ripples.height.value * std::max(stretch, 1e-3));
+  ripples.pitch.sigma = std::hypot(ripples.pitch.sigma, scatterOf(pitches));
+  ripples.height.sigma = std::hypot(ripples.height.sigma, scatterOf(heights));
   return ripples;
 }
 }  // namespace weld

@@ -103,6 +103,25 @@ private:
     return true;
   }
 
+  /// A piece between two parents that lies along one of them is that plate seen again: there is no one bead.
+  bool plateBetween(std::size_t i, std::size_t j, const RowBead& bead) const
+  {
+    for (std::size_t k = i + 1; k < j; ++k)
+    {
+      const StraightRun& run = parents_[k];
+      if (run.x_from < bead.x_left || run.x_to > bead.x_right)
+        continue;
+      for (const Line* plate : { &bead.left, &bead.right })
+      {
+        const double first = plate->above(run.x_from, run.line.at(run.x_from));
+        const double last = plate->above(run.x_to, run.line.at(run.x_to));
+        if (std::max(std::abs(first), std::abs(last)) < params_.flatness)
+          return true;
+      }
+    }
+    return false;
+  }
+
   void between(std::size_t i, std::size_t j, std::vector<Contender>& contenders, RowFindings& findings) const
   {
     const StraightRun& left = parents_[i];
@@ -122,7 +141,7 @@ private:
     const int from = outline_.footOf(top, first, bead.left, bead), to = outline_.footOf(top, last, bead.right, bead);
     outline_.setToes(from, to, bead);
     // beside the higher plate a low face ends below its parent's line: the chord of the nodes off the parents is lower
-    if (!isBead(from, to, bead) || !(facesAbove(i, j, bead) || facesAbove(i, j, widest)))
+    if (!isBead(from, to, bead) || plateBetween(i, j, widest) || !(facesAbove(i, j, bead) || facesAbove(i, j, widest)))
       return;
     const int walls = (outline_.wall(bead.x_left) ? 1 : 0) + (outline_.wall(bead.x_right) ? 1 : 0);
     findings.block = findings.block || walls == 2;

@@ -169,7 +169,10 @@ void fillParents(const SectionShape& shape, double seam, WeldSection& section)
   const double sigma = std::hypot(shape.left.sigmaAt(seam), shape.right.sigmaAt(seam));
   const double tilt = 0.5 * (left.angle() + right.angle());
   const double offset = std::abs(left.at(seam) - right.at(seam)) * std::abs(std::cos(angle)) * std::cos(tilt);
-  section.misalignment = Quantity{ offset, sigma };
+  // where the plates are at an angle the offset depends on where the seam is
+  const double place =
+      0.5 * std::hypot(shape.toe_left.sigma, shape.toe_right.sigma) * std::abs(right.slope - left.slope);
+  section.misalignment = Quantity{ offset, shape.whole() ? std::hypot(sigma, place) : sigma };
   section.angle = Quantity{ angle, std::sqrt(shape.left.covariance(1, 1) + shape.right.covariance(1, 1)) };
 }
 }  // namespace

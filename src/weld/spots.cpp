@@ -27,6 +27,7 @@ public:
     StrayExcess found = strayExcess(grid, sampler, surface);
     excess_ = std::move(found.tolerances);
     height_ = std::move(found.height);
+    on_face_ = std::move(found.on_face);
   }
 
   Strays operator()()
@@ -74,6 +75,7 @@ private:
   {
     const std::vector<std::size_t> points = connected(start);
     WeldSpot spot;
+    bool on_face = false;
     double top = 0.0, least_x = INFINITY, most_x = -INFINITY, least_y = INFINITY, most_y = -INFINITY;
     for (const std::size_t i : points)
     {
@@ -85,11 +87,14 @@ private:
       top = std::abs(static_cast<double>(excess_[i]));
       spot.x = x, spot.y = y, spot.z = static_cast<double>(grid_.z[i]);
       spot.s = sampler_.place(i).s;
+      on_face = on_face_[i] != 0;
       spot.height = Quantity{ static_cast<double>(height_[i]), static_cast<double>(grid_.sigma[i]) };
     }
     if (points.size() < kFewest || top < kClear)
       return;
-    const bool foreign = std::max(most_x - least_x, most_y - least_y) > kWidest;
+    // what lies below a plate is no pore of the weld
+    const bool pit = spot.height.value < 0.0 && !on_face;
+    const bool foreign = pit || std::max(most_x - least_x, most_y - least_y) > kWidest;
     const double cell = grid_.spacing * (std::isfinite(grid_.pitch) ? grid_.pitch : grid_.spacing);
     const double diameter = std::sqrt(4.0 / kPi * cell * static_cast<double>(points.size()));
     spot.diameter = Quantity{ diameter, 0.5 * std::hypot(grid_.spacing, grid_.pitch) };
@@ -119,6 +124,7 @@ private:
   const SectionSampler& sampler_;
   std::vector<float> excess_;  ///< departure over tolerance
   std::vector<float> height_;  ///< departure [m]
+  std::vector<std::uint8_t> on_face_;
   std::vector<std::uint8_t> seen_;
 };
 }  // namespace

@@ -28,7 +28,7 @@ public:
   {
     result_.height.assign(grid.z.size(), 0.0F);
     result_.tolerances.assign(grid.z.size(), 0.0F);
-    on_face_.assign(grid.z.size(), 0);
+    result_.on_face.assign(grid.z.size(), 0);
     stride_ = std::max(1, static_cast<int>(std::lround(kBeside / kNeighbours / grid.spacing)));
   }
 
@@ -49,7 +49,7 @@ private:
     const PathPlace& place = sampler_.place(i);
     const std::size_t k = surface_.nearestSection(place.s);
     const double departure = surface_.departure(k, place.q, static_cast<double>(grid_.z[i]));
-    on_face_[i] = surface_.onFace(k, place.q) ? 1 : 0;
+    result_.on_face[i] = surface_.onFace(k, place.q) ? 1 : 0;
     if (!std::isfinite(departure))
       return;
     result_.height[i] = static_cast<float>(departure);
@@ -58,7 +58,7 @@ private:
     result_.tolerances[i] = static_cast<float>(departure / surface_.tolerance(k, place));
   }
 
-  bool onFace(std::size_t i) const { return on_face_[i] != 0; }
+  bool onFace(std::size_t i) const { return result_.on_face[i] != 0; }
 
   /// Height above the median of the neighbours in the same section; NaN where there are few.
   double aboveNeighbours(std::size_t i) const
@@ -109,7 +109,6 @@ private:
   const SectionSampler& sampler_;
   const SeamSurface& surface_;
   StrayExcess result_;
-  std::vector<std::uint8_t> on_face_;  ///< of each point, whether it lies between the toes
   int stride_ = 1;
 };
 }  // namespace

@@ -11,8 +11,9 @@ namespace weld
 /// How far each point of the grid departs from the surface.
 struct StrayExcess
 {
-  std::vector<float> height;      ///< above the surface [m]; 0 where nothing is known
-  std::vector<float> tolerances;  ///< the same in units of what the surface itself departs by
+  std::vector<float> height;          ///< above the surface [m]; 0 where nothing is known
+  std::vector<std::uint8_t> on_face;  ///< whether a point lies between the toes
+  std::vector<float> tolerances;      ///< the same in units of what the surface itself departs by
 };
 
 /// Points are held against the median of the sections around; on the face also against their neighbours across the

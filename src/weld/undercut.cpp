@@ -17,6 +17,8 @@ constexpr double kStep = 2.5e-5;        // between them [m]
 constexpr double kEdge = 3e-4;          // without points this near outside the toe nothing is said of an undercut [m]
 constexpr double kSure = 3.0;           // sigmas of a depth that is beyond doubt
 constexpr double kRim = 0.1;            // of the depth: the groove ends where it is shallower
+constexpr double kGrooveBlur = 5e-5;    // 1-sigma of what stripe and fit blur a groove by [m]
+constexpr double kUsualBlunt = 1.5e-5;  // by which this makes a groove of usual width shallower [m]
 constexpr double kSlopeBlur = 1.5e-6;   // what the blur of kinks leaves beside a toe [m]
 }  // namespace
 
@@ -51,8 +53,11 @@ Undercut measureUndercut(const SectionProfile& profile, const SectionShape& shap
   if (at == nodes.size() || std::min(std::abs(nodes.front().q - toe.q), std::abs(nodes.back().q - toe.q)) > kEdge)
     return result;
   result.depth.value = deepest;
-  (void)bend;
-  result.depth.sigma = std::sqrt(square(nodes[at].sigma) + square(parent.sigmaAt(nodes[at].q)) + square(kSlopeBlur));
+  // rows that cross the groove obliquely blur it, too, as they are interpolated
+  const double blur = std::hypot(kGrooveBlur, profile.row_pitch * std::tan(profile.place.yaw) / std::sqrt(6.0));
+  const double blunt = std::max(0.0, 0.5 * std::abs(bend) * square(blur) - kUsualBlunt);
+  result.depth.sigma =
+      std::sqrt(square(nodes[at].sigma) + square(parent.sigmaAt(nodes[at].q)) + square(kSlopeBlur) + square(blunt));
   if (deepest < kSure * result.depth.sigma)
     return result;
   for (const HeightNode& node : nodes)

@@ -4,14 +4,16 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr double kCertain = 2.0;  // sigmas
-}
+constexpr double kCertain = 2.0;    // sigmas
+constexpr double kNoOffset = 5e-5;  // a smaller one is none: what is not permitted counts from here, too [m]
+}  // namespace
 
 Quantity judgedHeight(const WeldSection& section)
 {
   Quantity height = section.reinforcement;
   const Quantity& misalignment = section.misalignment;
-  if (!height.measured() || !misalignment.measured() || !(misalignment.value > kCertain * misalignment.sigma))
+  if (!height.measured() || !misalignment.measured() ||
+      !(misalignment.value - kNoOffset > kCertain * misalignment.sigma))
     return height;
   for (const Quantity& candidate : { section.height_left, section.height_right })
   {

@@ -14,7 +14,6 @@ namespace weld
 {
 namespace
 {
-constexpr double kRowToeSigma = 1.5e-4;  // of a toe as a row shows it [m]
 constexpr int kFewestRows = 3;
 constexpr int kEnoughRows = 40;  // with more, those at least kRowStep apart are looked at [m]
 constexpr double kRowStep = 2e-4;

@@ -13,7 +13,8 @@ namespace weld_profiler
 {
 namespace weld
 {
-constexpr double kPathReach = 0.03;  ///< a path goes on beyond the bead's ends, so that every point has a place [m]
+constexpr double kRowToeSigma = 1.5e-4;  ///< of a toe as a row shows it [m]
+constexpr double kPathReach = 0.03;      ///< a path goes on beyond the bead's ends, so that every point has a place [m]
 
 /// The weld of a scan as the rows show it, and what else they show.
 struct FoundWeld

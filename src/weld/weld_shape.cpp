@@ -124,7 +124,8 @@ std::string WeldShape::findSurfaces(const Scan& scan, const WeldResult& result, 
 {
   const ScanGrid grid = makeGrid(scan);
   const double pitch = pitchAlong(grid, result);
-  if (!(pitch <= params.max_gap))
+  constexpr double kRounding = 1.0 + 1e-4;
+  if (!(pitch <= kRounding * params.max_gap))
   {
     std::ostringstream text;
     text << "rows of the scan lie " << 1e3 * pitch << " mm apart along the weld, more than max_gap ("
