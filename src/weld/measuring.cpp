@@ -15,11 +15,11 @@ namespace weld
 {
 namespace
 {
-constexpr double kRoughStep = 3.5e-4;   // between the sections that path and strays are found with [m]
-constexpr double kNearlyAll = 0.9;      // of the sections: when fewer were measured it is said
-constexpr double kLeastStanding = 0.1;  // of the sections must show a bead beyond doubt
-constexpr int kFewRows = 60;            // so few are all looked at
-constexpr double kLeastScore = 0.3;     // of a kind, else the weld is of none
+constexpr double kRoughStep = 3.5e-4;    // between the sections that path and strays are found with [m]
+constexpr double kNearlyAll = 0.9;       // of the sections: when fewer were measured it is said
+constexpr double kLeastStanding = 0.04;  // of the sections must show a bead beyond doubt
+constexpr int kFewRows = 60;             // so few are all looked at
+constexpr double kLeastScore = 0.3;      // of a kind, else the weld is of none
 
 std::vector<SectionShape> shapesOf(const SeamSections& sections)
 {

@@ -77,8 +77,12 @@ WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& pa
   SectionShape shape;
   const auto parent = [&](Side side, double toe, const Line& line)
   {
-    const ParentPiece piece{ side, toe, parentBegin(roomBeside(profile, side, toe), params) };
-    return fitParent(profile, piece, foreshortened(line, profile.place.x, yaw), params);
+    const Line guess = foreshortened(line, profile.place.x, yaw);
+    ParentPiece piece{ side, toe, 0.0 };
+    const double room = guess.valid() ? roomBeside(profile, piece, guess, params) : 0.0;
+    piece.begin = parentBegin(room, params);
+    piece.length = room - piece.begin;
+    return fitParent(profile, piece, guess, params);
   };
   shape.left = parent(Side::Left, -half, bead->left);
   shape.right = parent(Side::Right, half, bead->right);

@@ -15,6 +15,8 @@ constexpr int kRounds = 6;
 constexpr double kConverged = 1e-8;     // [m]
 constexpr int kLongestLag = 60;         // of the residuals' correlation [cells]
 constexpr double kLeastScatter = 5e-7;  // [m]
+constexpr double kNearGuess = 4.0;      // flatnesses that a parent may lie off what the rows tell of it
+constexpr double kNeighbour = 1.5e-3;   // what is off a parent for longer is not spatter on it [m]
 constexpr double kShrunkReach = 6e-4;   // where little of a parent is in view, it begins this far from the toe [m]
 
 struct Piece
@@ -133,11 +135,36 @@ double ParentFit::sigmaAt(double q) const
   return std::sqrt(covariance(0, 0) + 2.0 * d * covariance(0, 1) + d * d * covariance(1, 1));
 }
 
-double roomBeside(const SectionProfile& profile, Side side, double toe)
+double roomBeside(const SectionProfile& profile, const ParentPiece& from, const Line& guess, const WeldParams& params)
 {
-  if (profile.size() == 0)
-    return 0.0;
-  return sign(side) * ((side == Side::Left ? profile.q.front() : profile.q.back()) - toe);
+  const double tolerance = kNearGuess * params.flatness;
+  double room = 0.0, off_from = from.begin;
+  const auto look = [&](std::size_t i)
+  {
+    const double outward = sign(from.side) * (profile.q[i] - from.toe);
+    if (outward < from.begin)
+      return true;
+    if (!(std::abs(guess.above(profile.q[i], profile.z[i])) > tolerance))
+    {
+      room = off_from = outward;
+      return true;
+    }
+    // an undercut ends within its reach, spatter soon; another bead or a clamp does not
+    return outward - off_from < kNeighbour || outward < params.undercut_reach;
+  };
+  if (from.side == Side::Right)
+  {
+    for (std::size_t i = 0; i < profile.size() && look(i); ++i)
+    {
+    }
+  }
+  else
+  {
+    for (std::size_t i = profile.size(); i > 0 && look(i - 1); --i)
+    {
+    }
+  }
+  return room;
 }
 
 double parentBegin(double room, const WeldParams& params)
@@ -153,7 +180,7 @@ ParentFit fitParent(const SectionProfile& profile, const ParentPiece& where, con
     return fit;
   const Side side = where.side;
   const double from = sign(side) * where.toe + where.begin;
-  Piece piece = cut(profile, side, from, from + params.parent_length);
+  Piece piece = cut(profile, side, from, from + std::min(where.length, params.parent_length));
   if (piece.q.size() < 10)
     return fit;
   fitRobustly(guess, 3.0 * params.flatness, piece, fit);

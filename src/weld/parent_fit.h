@@ -45,6 +45,7 @@ struct ParentPiece
   Side side = Side::Left;
   double toe = 0.0;         ///< q of the toe, roughly [m]
   double begin = 0.0;       ///< from the toe outward, beyond where an undercut may be [m]
+  double length = 1.0;      ///< of it at most, outward [m]
   bool correlation = true;  ///< tell how many neighbours count as one; else each counts
 };
 
@@ -52,8 +53,10 @@ struct ParentPiece
 /// little is in view.
 double parentBegin(double room, const WeldParams& params);
 
-/// How far a section goes on outward from a toe [m].
-double roomBeside(const SectionProfile& profile, Side side, double toe);
+/// How far a parent goes on outward from a toe, up to the field's edge or another bead [m]; 0 = not in view.
+/// @param from   side and toe; looked at from `begin` on.
+/// @param guess  a line that the parent lies near.
+double roomBeside(const SectionProfile& profile, const ParentPiece& from, const Line& guess, const WeldParams& params);
 
 /// Fits a side's parent line robustly (Tukey's biweight, begun at a guess).
 /// @param guess  a line that most of the parent lies near.

@@ -18,6 +18,7 @@ constexpr Continuation kPlate{ 8e-3, 8e-3, false };  // of a parent that is not 
 constexpr Continuation kToe{ 20e-3, 2e-3, true };    // of a toe, for maps
 constexpr double kCourse = 3e-3;                     // half window of the toes' course [m]
 constexpr std::size_t kCorrelationStep = 4;          // sections from one that tells it to the next
+constexpr double kRoomMargin = 2e-4;                 // a parent is looked at so far beyond where it was last seen [m]
 constexpr double kShortPiece = 0.5;                  // of the median length: such a parent is rather continued
 
 ParentFit& parentOf(SectionShape& shape, Side side)
@@ -69,26 +70,33 @@ void SeamSections::fitParents(Side side)
 {
   std::vector<double> rooms, lengths;
   for (std::size_t k = 0; k < size(); ++k)
-    rooms.push_back(roomBeside(profiles_[k], side, guess_.toe(side, places_[k])));
-  const double begin = parentBegin(median(rooms), params_);
+  {
+    const ParentPiece all{ side, guess_.toe(side, places_[k]), 0.0 };
+    const Line guess = guess_.parent(side, profiles_[k].place, all.toe);
+    rooms.push_back(guess.valid() ? roomBeside(profiles_[k], all, guess, params_) : kNaN);
+  }
+  const double room = median(rooms);
+  const double begin = parentBegin(room, params_);
+  // where another bead or a clamp stands near, the parent ends before it
+  const double length = room < begin + params_.parent_length ? room + kRoomMargin - begin : params_.parent_length;
   for (std::size_t k = 0; k < size(); ++k)
   {
     const double toe = guess_.toe(side, places_[k]);
     const Line guess = guess_.parent(side, profiles_[k].place, toe);
     ParentFit& fit = parentOf(shapes_[k], side);
     const bool told = lengths.empty() || k % kCorrelationStep == 0;
-    fit = fitParent(profiles_[k], ParentPiece{ side, toe, begin, told }, guess, params_);
+    fit = fitParent(profiles_[k], ParentPiece{ side, toe, begin, length, told }, guess, params_);
     if (told && fit.valid())
       lengths.push_back(fit.correlated_cells);
   }
-  const double length = median(lengths);  // of one section alone it is hardly known
+  const double cells = median(lengths);  // of one section alone it is hardly known
   for (std::size_t k = 0; k < size(); ++k)
   {
     ParentFit& fit = parentOf(shapes_[k], side);
     if (!fit.valid())
       continue;
-    fit.covariance *= length / fit.correlated_cells;
-    fit.correlated_cells = length;
+    fit.covariance *= cells / fit.correlated_cells;
+    fit.correlated_cells = cells;
   }
 }
 
