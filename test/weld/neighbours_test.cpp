@@ -1,0 +1,110 @@
+// What stands beside a weld, and scans of a few rows.
+#include <gtest/gtest.h>
+
+#include "weld/ideal_scan.h"
+#include "weld_profiler/weld/weld_measurer.h"
+
+namespace weld_profiler
+{
+namespace
+{
+/// 2.4 mm high and 8 mm wide, its right plate 0.4 mm higher.
+IdealWeld offsetWeld()
+{
+  IdealWeld weld;
+  weld.height = 0.0024;
+  weld.misalignment = 0.0004;
+  weld.x = -0.006;
+  return weld;
+}
+
+void expectWidth(const WeldResult& result, double width, std::size_t at_least)
+{
+  std::size_t told = 0;
+  for (const WeldSection& section : result.sections)
+  {
+    if (!section.hasBead())
+      continue;
+    ++told;
+    EXPECT_NEAR(section.width.value, width, 5e-5) << "row " << section.row;
+  }
+  EXPECT_GE(told, at_least) << result.reason;
+}
+}  // namespace
+
+TEST(Neighbours, BarePlateBetweenTwoBeadsPartsThem)
+{
+  const IdealWeld weld = offsetWeld();
+  IdealWeld second;  // on the higher plate, 5 mm beside the toe
+  second.width = 0.004;
+  second.height = 0.0005;
+  second.x = 0.005;
+  const WeldResult result = WeldMeasurer().measure(
+      IdealScanner()([&](double x, double y) { return weld(x, y) + std::max(0.0, second(x, y)); }));
+  EXPECT_EQ(result.kind, WeldKind::Butt);
+  expectWidth(result, 0.00801, 55);
+  ASSERT_EQ(result.other_beads.size(), 1u);
+  EXPECT_NEAR(result.other_beads[0].x, 0.005, 5e-4);
+}
+
+TEST(Neighbours, AClampNearTheToeHidesNoWeld)
+{
+  const IdealWeld weld = offsetWeld();
+  const auto surface = [&](double x, double y)
+  { return weld(x, y) + (x > 0.0025 ? 0.005 : 0.0); };  // 4.5 mm beside the toe, up to the field's edge
+  expectWidth(WeldMeasurer().measure(IdealScanner()(surface)), 0.00801, 55);
+}
+
+TEST(Neighbours, APitInThePlateIsNoPore)
+{
+  const IdealWeld weld;
+  const auto surface = [&](double x, double y)
+  {
+    const double pit = 0.0004 - std::hypot(x - 0.012, y - 0.006);
+    return weld(x, y) - (pit > 0.0 ? 3e-4 : 0.0);
+  };
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+  expectWidth(result, 0.008, 55);
+  EXPECT_TRUE(result.spots.empty());
+}
+
+TEST(FewRows, ThreeToTenAreEnough)
+{
+  for (const int rows : { 3, 5, 10 })
+  {
+    IdealScanner scanner;
+    scanner.rows = rows;
+    scanner.pitch = 1.5e-4;
+    SCOPED_TRACE(rows);
+    expectWidth(WeldMeasurer().measure(scanner(IdealWeld())), 0.008, static_cast<std::size_t>(rows) - 1);
+  }
+}
+
+TEST(FewRows, TwoAreSaidToBeTooFew)
+{
+  IdealScanner scanner;
+  scanner.rows = 2;
+  const WeldResult result = WeldMeasurer().measure(scanner(IdealWeld()));
+  EXPECT_FALSE(result.hasWeld());
+  EXPECT_NE(result.reason.find("2 rows"), std::string::npos) << result.reason;
+}
+
+TEST(Undercut, OneNarrowerThanTheStripeCanShowSaysSo)
+{
+  IdealWeld weld;
+  weld.undercut = 0.0002;
+  IdealScanner scanner;
+  scanner.pitch = 1e-3;  // rows 1 mm apart cross its rims obliquely
+  scanner.rows = 20;
+  weld.yaw = 0.35;
+  int told = 0;
+  for (const WeldSection& section : WeldMeasurer().measure(scanner(weld)).sections)
+  {
+    if (!section.undercut_right.measured())
+      continue;
+    ++told;
+    EXPECT_NEAR(section.undercut_right.value, 0.0002, 4.0 * section.undercut_right.sigma) << "row " << section.row;
+  }
+  EXPECT_GE(told, 5);
+}
+}  // namespace weld_profiler
