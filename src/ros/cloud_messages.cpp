@@ -39,7 +39,7 @@ void fill(sensor_msgs::PointCloud2& cloud, const std::vector<CloudRecord>& recor
 
 sensor_msgs::PointCloud2Ptr profileCloud(const Profile& profile, const std::string& frame_id)
 {
-  const sensor_msgs::PointCloud2Ptr cloud = emptyCloud(frame_id, profile.stamp);
+  sensor_msgs::PointCloud2Ptr cloud = emptyCloud(frame_id, profile.stamp);
   cloud->header.seq = static_cast<std::uint32_t>(profile.frame);
   cloud->height = 1;
   cloud->width = static_cast<std::uint32_t>(profile.points.size());
@@ -54,7 +54,7 @@ sensor_msgs::PointCloud2Ptr profileCloud(const Profile& profile, const std::stri
 
 sensor_msgs::PointCloud2Ptr scanCloud(const Scan& scan)
 {
-  const sensor_msgs::PointCloud2Ptr cloud = emptyCloud(scan.frame_id, scan.rows.empty() ? 0 : scan.rows.front().stamp);
+  sensor_msgs::PointCloud2Ptr cloud = emptyCloud(scan.frame_id, scan.rows.empty() ? 0 : scan.rows.front().stamp);
   cloud->height = static_cast<std::uint32_t>(scan.rows.size());
   cloud->width = scan.cells;
   cloud->is_dense = false;

@@ -48,7 +48,7 @@ void ColumnCentroid::write(const ColumnTrack& track, const SlotChoice& choice, f
   for (const SlotChoice::Run& run : choice.runs())
     for (int k = 0; k < run.count; ++k, ++centre)
     {
-      const auto slot = static_cast<std::size_t>(run.slot + k);
+      const auto slot = static_cast<std::size_t>(run.slot) + static_cast<std::size_t>(k);
       const double shift = arrays_[Shift][slot];
       *centre = Centre{};
       centre->cell = run.cell + k;

@@ -100,7 +100,8 @@ void GroupSums::layOut(const ImageView& image, int row_step)
   last_column_ = image.width - kGroup;
   shift_ = image.bit_depth == 8 ? 0 : 3;
   per_level_ = static_cast<float>(kGroup) / static_cast<float>(1 << shift_);
-  stride_ = static_cast<std::size_t>((groups_ + kLanes - 1) / kLanes * kLanes);
+  const int padded = (groups_ + kLanes - 1) / kLanes * kLanes;
+  stride_ = static_cast<std::size_t>(padded);
   sums_.resize(stride_ * static_cast<std::size_t>(rows_));
 }
 

@@ -62,6 +62,28 @@ std::size_t fieldCount(const sensor_msgs::PointCloud2& cloud, const std::string&
   return count;
 }
 
+/// The chain's weld, 10 mm wide, plates 0.3 mm apart in height.
+void expectTheWeld(const WeldMeasurement& summary)
+{
+  EXPECT_EQ(summary.kind, "butt") << summary.reason;
+  ASSERT_GT(summary.sections.size(), 40U);
+  EXPECT_GT(summary.measured_share, 0.9F);
+  EXPECT_FALSE(summary.calibration_hash.empty());
+  EXPECT_NE(summary.settings.find("thickness: 0.008"), std::string::npos) << summary.settings;
+  EXPECT_FALSE(summary.verdict.empty());
+  const WeldCrossSection& middle = summary.sections[summary.sections.size() / 2];
+  EXPECT_NEAR(middle.width.value, 0.010, 0.0001);
+  EXPECT_NEAR(middle.misalignment.value, 0.0003, 0.00003);
+}
+
+void expectLabelled(const sensor_msgs::PointCloud2& cloud)
+{
+  EXPECT_EQ(cloud.point_step, 40U);
+  EXPECT_EQ(cloud.data.size(), static_cast<std::size_t>(cloud.width) * cloud.height * 40U);
+  EXPECT_EQ(fieldCount(cloud, "label"), 1U);
+  EXPECT_EQ(fieldCount(cloud, "removal"), 1U);
+}
+
 TEST(WeldNodelet, MeasuresAScanThatEndsAndHandsItToTheGrinder)
 {
   WeldChain chain("/weld_scan");
@@ -85,22 +107,8 @@ TEST(WeldNodelet, MeasuresAScanThatEndsAndHandsItToTheGrinder)
       provisional += live->sections.size() == 1 && std::abs(live->sections[0].width.value - 0.010) < 0.0005 ? 1 : 0;
   EXPECT_GT(provisional, 0.8 * kFrames) << "live widths within 0.5 mm of 10 mm";
 
-  const WeldMeasurement& summary = *summaries.all().back();
-  EXPECT_EQ(summary.kind, "butt") << summary.reason;
-  EXPECT_GT(summary.sections.size(), 40U);
-  EXPECT_GT(summary.measured_share, 0.9F);
-  EXPECT_FALSE(summary.calibration_hash.empty());
-  EXPECT_NE(summary.settings.find("thickness: 0.008"), std::string::npos) << summary.settings;
-  EXPECT_FALSE(summary.verdict.empty());
-  const WeldCrossSection& middle = summary.sections[summary.sections.size() / 2];
-  EXPECT_NEAR(middle.width.value, 0.010, 0.0001);
-  EXPECT_NEAR(middle.misalignment.value, 0.0003, 0.00003);
-
-  const sensor_msgs::PointCloud2& cloud = *points.all().back();
-  EXPECT_EQ(cloud.point_step, 40U);
-  EXPECT_EQ(cloud.data.size(), static_cast<std::size_t>(cloud.width) * cloud.height * 40U);
-  EXPECT_EQ(fieldCount(cloud, "label"), 1U);
-  EXPECT_EQ(fieldCount(cloud, "removal"), 1U);
+  expectTheWeld(*summaries.all().back());
+  expectLabelled(*points.all().back());
   EXPECT_GT(toes.all().back()->poses.size(), 5U);
   EXPECT_GT(passes.all().back()->passes.size(), 1U) << passes.all().back()->reason;
   EXPECT_GT(passes.all().back()->removal_volume, 1e-8);

@@ -8,21 +8,10 @@
 
 #include "bag_rewrite.h"
 #include "run_command_line.h"
+#include "small_rig.h"
 
 namespace weld_profiler
 {
-/// The default rig at a quarter of its pixels, so that a frame takes a moment.
-inline const char* const kScene = R"(preset: realistic
-frame_count: 20
-encoder_rate: 200
-laser: {sigma_px: 1.4, lens_sigma_px: 0.9}
-camera:
-  image_width: 360
-  image_height: 270
-  camera_matrix: [1500.0, 0.0, 179.5, 0.0, 1500.0, 134.5, 0.0, 0.0, 1.0]
-  distortion_model: plumb_bob
-  distortion_coefficients: [0.0, 0.0, 0.0, 0.0, 0.0]
-)";
 inline const std::string kCalibration = "--calibration weld.bag.truth/calibration.yaml ";
 
 /// Folder with weld.bag, a simulated scan, to run scan_bag in.
@@ -32,7 +21,7 @@ protected:
   void SetUp() override
   {
     CommandTest::SetUp();
-    write("scene.yaml", kScene);
+    write("scene.yaml", kSmallRig + "frame_count: 20\nlaser: {sigma_px: 1.4, lens_sigma_px: 0.9}\n");
     ASSERT_EQ(run("simulate_scan", "--scene scene.yaml --out weld.bag").status, 0);
   }
 

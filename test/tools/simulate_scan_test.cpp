@@ -1,21 +1,12 @@
 #include "bag_contents.h"
 #include "run_command_line.h"
+#include "small_rig.h"
 
 namespace weld_profiler
 {
 namespace
 {
-// the default rig at a quarter of its pixels, so that a frame takes a moment
-const char* const kScene = R"(preset: realistic
-frame_count: 5
-encoder_rate: 200
-camera:
-  image_width: 360
-  image_height: 270
-  camera_matrix: [1500.0, 0.0, 179.5, 0.0, 1500.0, 134.5, 0.0, 0.0, 1.0]
-  distortion_model: plumb_bob
-  distortion_coefficients: [0.0, 0.0, 0.0, 0.0, 0.0]
-)";
+const std::string kScene = kSmallRig + "frame_count: 5\n";
 
 class SimulateScan : public CommandTest
 {
@@ -91,7 +82,7 @@ TEST_F(SimulateScan, ItsOwnSceneFileGivesTheSameBytes)
 
 TEST_F(SimulateScan, ASensorOnARobotAlsoGivesTransforms)
 {
-  write("tf.yaml", std::string(kScene) + "motion: tf\n");
+  write("tf.yaml", kScene + "motion: tf\n");
   ASSERT_EQ(simulate("--scene tf.yaml --out weld.bag").status, 0);
   const BagContents bag = readBag(path("weld.bag"));
   ASSERT_GT(bag.transforms.size(), 20u);

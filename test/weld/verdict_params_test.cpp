@@ -1,6 +1,5 @@
 #include "weld_profiler/weld/verdict_params.h"
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "support/refused_fields.h"
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/core/yaml_fields.h"
 #include "weld_profiler/weld/verdict.h"
@@ -18,21 +18,6 @@ namespace
 {
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 const double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Refusal
-{
-  std::string field;
-  std::vector<std::function<void(VerdictParams&)>> bad;
-};
-
-template <class T, class V>
-Refusal refusal(const std::string& field, T VerdictParams::*member, std::vector<V> values)
-{
-  Refusal result{ field, {} };
-  for (const V& value : values)
-    result.bad.push_back([member, value](VerdictParams& params) { params.*member = value; });
-  return result;
-}
 
 VerdictParams fromYaml(const std::string& text)
 {
@@ -52,7 +37,7 @@ TEST(VerdictParams, AcceptTheirDefaults)
 TEST(VerdictParams, RefuseEachBadValueByName)
 {
   const std::vector<double> absurd = { kNan, 0.0, -1e-3, 1.001, kInfinity, -kInfinity };
-  const std::vector<Refusal> refusals = {
+  const std::vector<FieldRefusal<VerdictParams>> refusals = {
     refusal("thickness", &VerdictParams::thickness, absurd),
     refusal("nominal_thickness", &VerdictParams::nominal_thickness, absurd),
     refusal("level", &VerdictParams::level, std::vector<std::string>{ "A", "b", "BC", " " }),
@@ -62,22 +47,7 @@ TEST(VerdictParams, RefuseEachBadValueByName)
     refusal("min_measured_share", &VerdictParams::min_measured_share, std::vector<double>{ kNan, -0.1, 1.1 }),
   };
   ASSERT_EQ(refusals.size(), 6u);
-  for (const Refusal& refusal : refusals)
-    for (const auto& spoil : refusal.bad)
-    {
-      VerdictParams params;
-      spoil(params);
-      try
-      {
-        const WeldJudge judge(params);
-        ADD_FAILURE() << refusal.field << " was accepted";
-      }
-      catch (const ConfigError& error)
-      {
-        EXPECT_NE(std::string(error.what()).find(refusal.field), std::string::npos) << error.what();
-        EXPECT_NE(std::string(error.what()).find("must be"), std::string::npos) << error.what();
-      }
-    }
+  expectRefused(refusals, [](const VerdictParams& params) { const WeldJudge judge(params); });
 }
 
 TEST(VerdictParams, RefuseATableThatIsNotThere)

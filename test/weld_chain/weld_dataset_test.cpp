@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "support/csv_fields.h"
 #include "tools/dataset_plan.h"
 #include "tools/run_command_line.h"
 
@@ -10,27 +11,16 @@ namespace weld_profiler
 {
 namespace
 {
-std::vector<std::string> split(const std::string& line, char separator)
-{
-  std::vector<std::string> words;
-  std::istringstream stream(line);
-  for (std::string word; std::getline(stream, word, separator);)
-    words.push_back(word);
-  if (!line.empty() && line.back() == separator)
-    words.emplace_back();
-  return words;
-}
-
 std::vector<std::map<std::string, std::string>> readIndex(const std::string& text)
 {
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
-  const std::vector<std::string> columns = split(line, ',');
+  const std::vector<std::string> columns = csvFields(line);
   std::vector<std::map<std::string, std::string>> rows;
   while (std::getline(lines, line))
   {
-    const std::vector<std::string> words = split(line, ',');
+    const std::vector<std::string> words = csvFields(line);
     EXPECT_EQ(words.size(), columns.size()) << line;
     std::map<std::string, std::string> row;
     for (std::size_t i = 0; i < std::min(words.size(), columns.size()); ++i)
@@ -58,6 +48,25 @@ std::map<std::uint32_t, std::size_t> labelsIn(const std::string& pcd)
   return counts;
 }
 
+/// A cloud whose points are those that its line of the index tells of.
+void expectAsListed(std::map<std::string, std::string> row, const std::string& pcd)
+{
+  EXPECT_NE(pcd.find("FIELDS x y z intensity sigma stage time flags"), std::string::npos) << row["file"];
+  EXPECT_NE(pcd.find("label removal"), std::string::npos);
+  EXPECT_NE(pcd.find("WIDTH 1440"), std::string::npos) << "organised";
+  EXPECT_NE(pcd.find("HEIGHT " + row["rows"]), std::string::npos);
+  auto labels = labelsIn(pcd);
+  EXPECT_EQ(std::to_string(labels[1]), row["base"]);
+  EXPECT_EQ(std::to_string(labels[2]), row["bead"]);
+  EXPECT_EQ(std::to_string(labels[3]), row["undercut"]);
+  EXPECT_EQ(std::to_string(labels[4]), row["spatter"]);
+  // the bead takes its width's share of the field of about 60 mm, or a little more where the weld is oblique
+  const double points = std::stod(row["points"]);
+  EXPECT_NEAR(labels[2] / points, std::stod(row["width_mm"]) / 60.0, 0.06) << row["file"];
+  EXPECT_GT(labels[1] / points, 0.5);
+  EXPECT_GT(points, 0.9 * std::stod(row["rows"]) * 1440.0);
+}
+
 class WeldDataset : public CommandTest
 {
 protected:
@@ -78,21 +87,7 @@ TEST_F(WeldDataset, HasACloudOfEachKindAndALineForEach)
   for (auto row : rows)
   {
     kinds.insert(row["kind"]);
-    const std::string pcd = text("set/" + row["file"]);
-    EXPECT_NE(pcd.find("FIELDS x y z intensity sigma stage time flags"), std::string::npos) << row["file"];
-    EXPECT_NE(pcd.find("label removal"), std::string::npos);
-    EXPECT_NE(pcd.find("WIDTH 1440"), std::string::npos) << "organised";
-    EXPECT_NE(pcd.find("HEIGHT " + row["rows"]), std::string::npos);
-    auto labels = labelsIn(pcd);
-    EXPECT_EQ(std::to_string(labels[1]), row["base"]);
-    EXPECT_EQ(std::to_string(labels[2]), row["bead"]);
-    EXPECT_EQ(std::to_string(labels[3]), row["undercut"]);
-    EXPECT_EQ(std::to_string(labels[4]), row["spatter"]);
-    // the bead takes its width's share of the field of about 60 mm, or a little more where the weld is oblique
-    const double points = std::stod(row["points"]);
-    EXPECT_NEAR(labels[2] / points, std::stod(row["width_mm"]) / 60.0, 0.06) << row["file"];
-    EXPECT_GT(labels[1] / points, 0.5);
-    EXPECT_GT(points, 0.9 * std::stod(row["rows"]) * 1440.0);
+    expectAsListed(row, text("set/" + row["file"]));
   }
   EXPECT_EQ(kinds, (std::set<std::string>{ "butt", "fillet", "bead_on_plate" }));
 
