@@ -55,8 +55,7 @@ Undercut measureUndercut(const SectionProfile& profile, const SectionShape& shap
   result.depth.value = deepest;
   // rows that cross the groove obliquely blur it, too, as they are interpolated, and with it how bent it seems
   const double oblique = profile.row_pitch * std::tan(profile.place.yaw) / std::sqrt(6.0);
-  const double blunt =
-      std::max(0.0, 0.5 * std::abs(bend) * square(kGrooveBlur) - kUsualBlunt) + std::abs(bend) * square(oblique);
+  const double blunt = std::max(0.0, std::abs(bend) * (0.5 * square(kGrooveBlur) + square(oblique)) - kUsualBlunt);
   result.depth.sigma =
       std::sqrt(square(nodes[at].sigma) + square(parent.sigmaAt(nodes[at].q)) + square(kSlopeBlur) + square(blunt));
   if (deepest < kSure * result.depth.sigma)
