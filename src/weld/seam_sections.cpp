@@ -77,15 +77,16 @@ void SeamSections::fitParents(Side side)
   }
   const double room = median(rooms);
   const double begin = parentBegin(room, params_);
-  // where another bead or a clamp stands near, the parent ends before it
-  const double length = room < begin + params_.parent_length ? room + kRoomMargin - begin : params_.parent_length;
   for (std::size_t k = 0; k < size(); ++k)
   {
     const double toe = guess_.toe(side, places_[k]);
     const Line guess = guess_.parent(side, profiles_[k].place, toe);
     ParentFit& fit = parentOf(shapes_[k], side);
+    // where another bead or a clamp stands near, the parent ends before it
+    const double seen =
+        std::isfinite(rooms[k]) ? std::max(rooms[k], room) + kRoomMargin - begin : params_.parent_length;
     const bool told = lengths.empty() || k % kCorrelationStep == 0;
-    fit = fitParent(profiles_[k], ParentPiece{ side, toe, begin, length, told }, guess, params_);
+    fit = fitParent(profiles_[k], ParentPiece{ side, toe, begin, seen, told }, guess, params_);
     if (told && fit.valid())
       lengths.push_back(fit.correlated_cells);
   }

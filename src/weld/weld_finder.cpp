@@ -120,8 +120,8 @@ std::string whyNotAWeld(const ScanGrid& grid, const BeadTrack& seen)
   const bool inside = first > 1 && last < grid.rows - 2;
   const double rise = range(track, [](const RowBead& bead) { return bead.height; });
   if (inside && length < kHeapLength * track.width() && rise > kHeapRise)
-    text << "what rises above the surface is no weld but a heap: " << 1e3 * length << " mm long, "
-         << 1e3 * track.width() << " mm wide, and its height changes by a factor of " << rise;
+    text << (text.str().empty() ? "" : "; ") << "what rises above the surface is no weld but a heap: " << 1e3 * length
+         << " mm long, " << 1e3 * track.width() << " mm wide, and its height changes by a factor of " << rise;
   return text.str();
 }
 
