@@ -20,10 +20,10 @@ constexpr double kFaceEnergy = 1.6;        // of the face's points over that of 
 constexpr double kFaceBias = 1e-6;         // what the face's points err alike [m]
 constexpr double kLongestBridge = 1.6e-3;  // break in the face (spatter) that its area is bridged over [m]
 
-/// Error of a toe across the chord: that of its parent's height, and what its shift along the parent makes.
-double toeSigmaAcross(const ToeFit& toe, const ParentFit& parent, const Line& chord)
+/// Error of a toe across a line: that of its parent's height, and what its shift along the parent makes.
+double toeSigmaAcross(const ToeFit& toe, const ParentFit& parent, const Line& line)
 {
-  return std::hypot(parent.sigmaAt(toe.q), toe.sigma * std::sin(parent.line.angle() - chord.angle()));
+  return std::hypot(parent.sigmaAt(toe.q), toe.sigma * std::sin(parent.line.angle() - line.angle()));
 }
 
 SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const ParentFit& parent)
@@ -40,7 +40,6 @@ SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const Par
 /// @param step  between nodes where there is no break [m].
 Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step)
 {
-  Quantity result;
   std::size_t best = nodes.size();
   double top = -INFINITY;
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -52,11 +51,11 @@ Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, do
     best = i;
   }
   if (best == nodes.size())
-    return result;
+    return Quantity();
   const bool break_before = best > 0 && nodes[best].q - nodes[best - 1].q > 1.5 * step;
   const bool break_after = best + 1 < nodes.size() && nodes[best + 1].q - nodes[best].q > 1.5 * step;
   if (break_before || break_after)
-    return result;
+    return Quantity();
   // between nodes the surface bends as the fit says
   if (best > 0 && best + 1 < nodes.size())
   {
@@ -81,6 +80,18 @@ std::vector<HeightNode> clearOfToes(const std::vector<HeightNode>& nodes, const 
   return clear;
 }
 
+/// The face's nodes between those of the toes, which err along their parents.
+std::vector<HeightNode> withToes(std::vector<HeightNode> nodes, const SectionShape& shape, const Line& line)
+{
+  for (const Side side : { Side::Left, Side::Right })
+  {
+    const ToeFit& toe = shape.toe(side);
+    const HeightNode node{ toe.q, toe.z, toeSigmaAcross(toe, shape.parent(side), line), 0.0 };
+    nodes.insert(side == Side::Left ? nodes.begin() : nodes.end(), node);
+  }
+  return nodes;
+}
+
 void fillHeights(const std::vector<HeightNode>& all, double step, const SectionShape& shape, WeldSection& section)
 {
   const Line chord = shape.chord();
@@ -92,18 +103,12 @@ void fillHeights(const std::vector<HeightNode>& all, double step, const SectionS
   if (section.reinforcement.value < 0.0)
     section.reinforcement.value = 0.0;  // of a hollow face the toes are highest
   section.reinforcement.sigma = std::hypot(section.reinforcement.sigma, shape.chordSigma(middle));
-  std::vector<HeightNode> with_toes = nodes;
-  for (const ToeFit* toe : { &shape.toe_left, &shape.toe_right })
-  {
-    HeightNode node;
-    node.q = toe->q, node.z = toe->z, node.sigma = toe->sigma * std::abs(std::sin(toe->flank));
-    with_toes.insert(toe == &shape.toe_left ? with_toes.begin() : with_toes.end(), node);
-  }
   for (const Side side : { Side::Left, Side::Right })
   {
+    const Line& parent = shape.parent(side).line;
     Quantity& height = side == Side::Left ? section.height_left : section.height_right;
     if (section.reinforcement.measured())
-      height = largestAbove(with_toes, shape.parent(side).line, 1.0);
+      height = largestAbove(withToes(nodes, shape, parent), parent, 1.0);
     height.sigma = std::hypot(height.sigma, shape.parent(side).sigmaAt(middle));
   }
   double deepest = 0.0, sigma = kNaN;
@@ -122,9 +127,9 @@ void fillHeights(const std::vector<HeightNode>& all, double step, const SectionS
 Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, double blur)
 {
   const Line chord = shape.chord();
-  const double from = shape.toe_left.q, to = shape.toe_right.q;
+  const double from = shape.toe_left.q, to = shape.toe_right.q, width = to - from;
   const double gap = longestGap(profile, from, to);
-  if (gap > kLongestBridge || gap > 0.3 * (to - from))
+  if (gap > std::min(kLongestBridge, 0.3 * width))
     return Quantity();
   double area = 0.0, last_q = from, last_above = 0.0, bridged = 0.0;
   int points = 0;
@@ -153,7 +158,6 @@ Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, doub
   for (const double share : { 0.75, 0.5, 0.25 })
     addArc(shape.toe_right, -1.0, share * blur);
   add(to, 0.0);
-  const double width = to - from;
   const double bend = 8.0 * std::abs(area) / (width * width * width);  // of an arc of this area, roughly twice over
   const double noise = shape.energy() * width * width / std::max(1, points);
   return Quantity{ area,

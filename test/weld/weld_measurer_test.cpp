@@ -84,6 +84,20 @@ TEST(WeldMeasurer, MeasuresTheLegsAndThroatOfAFillet)
   EXPECT_FALSE(section.misalignment.measured()) << "plates in a corner have none";
 }
 
+TEST(WeldMeasurer, TellsHowUncertainAFlatFilletsHeightIsByTheToeFarFromThePlate)
+{
+  IdealWeld weld;
+  weld.angle = 90.0 * kDegree;
+  weld.height = 0.0002;
+  const WeldSection section = middleSection(WeldMeasurer().measure(IdealScanner()(weld)));
+  // it is highest above one plate at the toe on the other, which stands upright on it
+  expectMeasured("height_left", section.height_left, 0.008 * std::sqrt(0.5), 2e-5);
+  expectMeasured("height_right", section.height_right, 0.008 * std::sqrt(0.5), 2e-5);
+  const double tilt = std::cos(0.5 * weld.angle);
+  EXPECT_GT(section.height_left.sigma, 0.95 * section.toe_right.x.sigma / tilt);
+  EXPECT_GT(section.height_right.sigma, 0.95 * section.toe_left.x.sigma / tilt);
+}
+
 TEST(WeldMeasurer, FindsAnObliquePathAndCutsAcrossIt)
 {
   IdealWeld weld;
