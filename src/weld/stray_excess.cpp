@@ -1,6 +1,7 @@
 #include "stray_excess.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -19,6 +20,7 @@ constexpr double kSigmas = 5.0;       // of what points depart from their neighb
 constexpr double kNothing = 1e-5;     // a smaller departure is none, whatever is tolerated [m]
 constexpr float kLeast = 6e-5F;       // [m]
 constexpr std::size_t kSampled = 97;  // every so many points tell the scatter
+constexpr double kFoot = 0.4;         // of a tolerance: what departs by less is of no stray's foot
 
 class ExcessFinder
 {
@@ -60,24 +62,48 @@ private:
 
   bool onFace(std::size_t i) const { return result_.on_face[i] != 0; }
 
-  /// Height above the median of the neighbours in the same section; NaN where there are few.
-  double aboveNeighbours(std::size_t i) const
+  /// The neighbours of a point in the same section.
+  struct Neighbours
+  {
+    std::array<double, 2 * kNeighbours> height;
+    std::size_t count = 0;
+
+    bool enough() const { return count >= kFewest; }
+
+    double middle() const
+    {
+      return median(std::vector<double>(height.begin(), height.begin() + static_cast<std::ptrdiff_t>(count)));
+    }
+
+    /// Whether their median lies within `reach` of `at`, for certain.
+    bool around(double at, double reach) const
+    {
+      std::size_t above = 0, below = 0;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        above += height[n] > at - reach ? 1 : 0;
+        below += height[n] < at + reach ? 1 : 0;
+      }
+      return 2 * above > count + 1 && 2 * below > count + 1;
+    }
+  };
+
+  Neighbours neighbours(std::size_t i) const
   {
     const int row = static_cast<int>(i / static_cast<std::size_t>(grid_.cells));
     const int column = static_cast<int>(i % static_cast<std::size_t>(grid_.cells));
     const double rows_per_column =
         std::tan(surface_.yaw(surface_.nearestSection(sampler_.place(i).s))) * grid_.spacing / grid_.pitch;
-    std::vector<double> heights;
-    heights.reserve(2 * kNeighbours);
+    Neighbours found;
     for (int n = -kNeighbours; n <= kNeighbours; ++n)
     {
       const int c = column + n * stride_;
       const int r = row + static_cast<int>(std::lround(n * stride_ * rows_per_column));
       if (n == 0 || c < 0 || c >= grid_.cells || r < 0 || r >= grid_.rows || !onFace(grid_.at(r, c)))
         continue;
-      heights.push_back(static_cast<double>(result_.height[grid_.at(r, c)]));
+      found.height[found.count++] = static_cast<double>(result_.height[grid_.at(r, c)]);
     }
-    return heights.size() < kFewest ? kNaN : static_cast<double>(result_.height[i]) - median(std::move(heights));
+    return found;
   }
 
   void holdAgainstNeighbours()
@@ -85,8 +111,11 @@ private:
     std::vector<double> sampled;
     for (std::size_t i = 0; i < grid_.z.size(); i += kSampled)
     {
-      if (onFace(i))
-        sampled.push_back(aboveNeighbours(i));
+      if (!onFace(i))
+        continue;
+      const Neighbours near = neighbours(i);
+      if (near.enough())
+        sampled.push_back(static_cast<double>(result_.height[i]) - near.middle());
     }
     const double scatter = robustSigma(std::move(sampled));
     if (!std::isfinite(scatter))
@@ -96,12 +125,18 @@ private:
     {
       if (std::abs(result_.height[i]) < kLeast || !onFace(i))
         continue;
-      const double above = aboveNeighbours(i);
-      if (!std::isfinite(above))
+      const Neighbours near = neighbours(i);
+      if (!near.enough())
         continue;
+      const auto height = static_cast<double>(result_.height[i]);
+      if (near.around(height, kFoot * tolerance))
+      {
+        result_.tolerances[i] = 0.0F;  // as its neighbours: their median need not be known
+        continue;
+      }
       const PathPlace place = sampler_.place(i);
       const double slack = surface_.alongSlack(surface_.nearestSection(place.s), place);
-      result_.tolerances[i] = static_cast<float>(above / (tolerance + slack));
+      result_.tolerances[i] = static_cast<float>((height - near.middle()) / (tolerance + slack));
     }
   }
 
