@@ -18,6 +18,7 @@ constexpr double kWideSigma = 0.25e-3;
 constexpr double kRises = 3.0;        // sigmas by which a bead stands out
 constexpr double kWideBead = 6e-3;    // labels are judged from this width on [m]
 constexpr double kRowsOfBar = 200.0;  // the scan that the bar of speed is for
+constexpr int kNearlyAsManyRows = 190;
 
 std::string format(const char* how, double a, double b = 0.0)
 {
@@ -201,15 +202,19 @@ void addLabels(const Welds& welds, std::vector<Bar>& bars)
 
 void addTimes(const Welds& welds, std::vector<Bar>& bars)
 {
-  std::vector<double> scans, rows, worst;
+  std::vector<double> scans, whole, rows, worst;
   for (const WeldCase& weld : welds)
   {
     scans.push_back(weld.times.measure * kRowsOfBar / weld.rows);
+    if (weld.rows >= kNearlyAsManyRows)
+      whole.push_back(scans.back());
     rows.push_back(weld.times.row_mean);
     worst.push_back(weld.times.row_worst);
   }
   bars.push_back(atMost("measuring 200 x 1440 points, slowest weld", quantile(scans, 1.0), 100.0, "ms"));
-  bars.back().detail = format("median %.1f", quantile(scans, 0.5));
+  bars.back().detail = format("median %.1f, ", quantile(scans, 0.5)) +
+                       format("shorter scans by the row; slowest of the %.0f with 190 rows or more %.1f",
+                              static_cast<double>(whole.size()), quantile(whole, 1.0));
   bars.push_back(atMost("a live section, mean of the slowest weld", quantile(rows, 1.0), 1.0, "ms"));
   bars.back().detail = format("median %.2f, slowest section %.2f", quantile(rows, 0.5), quantile(worst, 1.0));
 }
