@@ -48,20 +48,19 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   for (std::size_t k = 0; k < sections.size(); ++k)
     sampleSection(k, rises);
   fillMedians(rises);
-  findKnown();
+  findKnown(rises);
 }
 
 /// Where toes were found and the bead is about as high as around there, it is known. Where it is lower it is ending.
-void SeamSurface::findKnown()
+void SeamSurface::findKnown(const std::vector<float>& sampled)
 {
   const std::vector<double>& places = sections_.places();
   std::vector<double> levels;
   for (std::size_t k = 0; k < sections_.size(); ++k)
   {
-    std::vector<double> rises;
-    for (int bin = kOutside; bin <= kOutside + inside_; ++bin)
-      rises.push_back(rise(k, bin));
-    levels.push_back(median(std::move(rises)));
+    // its own, not the median's: at an end that is taken from one side
+    const auto face = sampled.begin() + static_cast<std::ptrdiff_t>(k) * bins_ + kOutside;
+    levels.push_back(median(std::vector<double>(face, face + inside_ + 1)));
   }
   known_.assign(sections_.size(), 0);
   for (std::size_t k = 0; k < sections_.size(); ++k)

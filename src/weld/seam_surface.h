@@ -38,7 +38,7 @@ private:
   double rise(std::size_t k, double bin) const;
   void sampleSection(std::size_t k, std::vector<float>& rises) const;
   void fillMedians(const std::vector<float>& rises);
-  void findKnown();
+  void findKnown(const std::vector<float>& sampled);
 
   const SeamSections& sections_;
   SeamZones zones_;
