@@ -16,7 +16,7 @@ namespace weld_accuracy
 {
 namespace
 {
-const char* const kFormat = "weld_accuracy_2";
+const char* const kFormat = "weld_accuracy_3";
 const char* const kNoVerdict = "-";
 
 std::string text(double value)

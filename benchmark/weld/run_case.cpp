@@ -7,6 +7,7 @@
 
 #include "tools/simulated_cloud.h"
 #include "weld/compare_sections.h"
+#include "weld/compare_spots.h"
 #include "weld_profiler/simulation/random_welds.h"
 #include "weld_profiler/weld/weld_measurer.h"
 
@@ -118,6 +119,7 @@ WeldCase runCase(std::uint64_t seed)
   weld.shares = compareShares(measured, weld.sections);
   weld.volumes = compareVolumes(measured, weld.sections);
   weld.labels = compareLabels(measured);
+  weld.spots = compareSpots(measured);
   return weld;
 }
 }  // namespace weld_accuracy

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 
+#include "weld/found_tables.h"
 #include "weld/spread.h"
 
 namespace weld_profiler
@@ -62,28 +63,6 @@ void reportSizes(const Welds& welds, Report& report)
                    { "largest", spread.largest, 4 },
                    { "sigma", spread.plain, 2 },
                    { "robust", spread.robust, 2 } });
-    }
-  }
-}
-
-void reportShares(const Welds& welds, Report& report)
-{
-  report.table("found", "true sections that lie in the scan, and the share of them that was measured");
-  for (const char* kind : { "butt", "fillet", "bead_on_plate" })
-  {
-    for (std::size_t at = 0; at < 3; ++at)
-    {
-      double inside = 0.0, found = 0.0;
-      for (const WeldCase& weld : welds)
-      {
-        inside += weld.kind == kind ? weld.shares.inside[at] : 0;
-        found += weld.kind == kind ? weld.shares.inside_found[at] : 0;
-      }
-      if (inside > 0.0)
-        report.row({ { "kind", kind },
-                     { "sections", at == 0 ? "low" : (at == 1 ? "h < 0.5 mm" : "high") },
-                     { "n", inside, 0 },
-                     { "measured %", 100.0 * found / inside, 2 } });
     }
   }
 }
@@ -213,6 +192,7 @@ void reportDetails(const Welds& welds, Report& report)
 {
   reportSizes(welds, report);
   reportShares(welds, report);
+  reportSpots(welds, report);
   reportVerdicts(welds, report);
   reportWorstWelds(welds, report);
   reportWelds(welds, report);

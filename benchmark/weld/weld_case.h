@@ -83,6 +83,21 @@ struct Volumes
   double unknown_removal = kNaN;  ///< true removal at points for which the map has no value; counted in the truth
 };
 
+/// Balls of spatter and pores of one range of diameters.
+struct SpotClass
+{
+  int inside = 0;                       ///< that lie wholly in the scan
+  int found = 0;                        ///< ... told
+  double diameter = 0.0, height = 0.0;  ///< sums of the told ones' |errors| [m]
+};
+constexpr std::array<double, 3> kSpotClasses = { 0.0, 0.3e-3, 0.5e-3 };  ///< diameters from which on [m]
+
+struct Spots
+{
+  std::array<SpotClass, 3> classes;
+  int false_spatter = 0, false_pores = 0;  ///< told where there is none
+};
+
 /// Milliseconds of processor time.
 struct Times
 {
@@ -103,6 +118,7 @@ struct WeldCase
   Shares shares;
   Volumes volumes;
   Times times;
+  Spots spots;
   std::array<std::array<long, 5>, 5> labels{};  ///< points by true and by measured label
   std::vector<SectionCase> sections;
 };
@@ -118,6 +134,12 @@ void visitNumbers(Case& weld, Visit&& visit)
   visit("true_removal", weld.volumes.true_removal), visit("unknown_removal", weld.volumes.unknown_removal);
   visit("measure_ms", weld.times.measure), visit("row_mean_ms", weld.times.row_mean);
   visit("row_worst_ms", weld.times.row_worst);
+  for (auto& spots : weld.spots.classes)
+  {
+    visit("spots", spots.inside), visit("spots_found", spots.found);
+    visit("spots_diameter", spots.diameter), visit("spots_height", spots.height);
+  }
+  visit("false_spatter", weld.spots.false_spatter), visit("false_pores", weld.spots.false_pores);
   for (auto* counts : { &weld.shares.inside, &weld.shares.inside_found, &weld.shares.toes, &weld.shares.toes_found })
   {
     for (auto& count : *counts)
