@@ -25,7 +25,8 @@ void declare(CommandLine& command, Options& options)
   command.required();
   command.option("seed S", options.seed, "another seed, other welds; the first N of a seed are always the same");
   command.required();
-  command.option("validation SHARE", options.validation, "of the clouds that go to validation/, of each kind alike, 0..0.9");
+  command.option("validation SHARE", options.validation,
+                 "of the clouds that go to validation/, of each kind alike, 0..0.9");
   command.example("weld_dataset --out welds --count 1000 --seed 1");
 }
 
