@@ -172,7 +172,8 @@ std::vector<SectionCase> compareSections(const MeasuredWeld& weld)
     section.s = truth->s;
     section.stature = statureOf(*truth);
     section.sizes = deviations(weld.result.sections[i], *truth);
-    section.verdict = weld.judge.judge(weld.result.kind, weld.result.sections[i]).verdict;
+    const SectionVerdict verdict = weld.judge.judge(weld.result.kind, weld.result.sections[i]);
+    section.verdict = verdict.waits_for.empty() ? verdict.verdict : "";
     section.true_verdict = trueVerdict(weld.judging, section.sizes);
     section.clearance = clearanceOf(weld.judging, section.sizes);
     sections.push_back(std::move(section));

@@ -57,7 +57,7 @@ struct SectionCase
   double s = kNaN;  ///< along the true path [m]
   Stature stature = Stature::Low;
   std::array<Deviation, kSizes> sizes;
-  std::string verdict;       ///< of WeldJudge; empty = none
+  std::string verdict;       ///< of WeldJudge; empty = none, or it waits for what was not measured
   std::string true_verdict;  ///< of the true sizes, after this folder's own reading of the limits
   double clearance = 0.0;    ///< from the truth to the nearest limit, in sigmas; 0 = a size that decides is missing
 

@@ -8,7 +8,10 @@ UNVERIFIED = "rests on limits that were not verified"
 
 
 def _why_undecided(folder):
-    """A limit too near, or a weld too little of which was seen: both leave it open."""
+    """Something that was not measured, a limit too near, or a weld too little of which was seen: each leaves it open."""
+    missing = folder.record.record("verdict").texts("waits_for")
+    if missing:
+        return "It waits for what was not measured: %s." % ", ".join(name.replace("_", " ") for name in missing)
     table = folder.verdict
     near = seen = False
     for decision, margin, sigma, own in zip(table.texts("decision"), table.numbers("margin_mm"), table.numbers("sigma_margin_mm"),
@@ -38,7 +41,7 @@ class Verdict:
             self.unverified = False
             return
         best = {"fail": "Not even level D is met.", "undecided": _why_undecided(folder),
-                "": "Something that decides was not measured, or nothing is judged."}
+                "": "Nothing was measured that decides, or nothing is judged."}
         self.mark = {"fail": "FAILS", "undecided": "UNDECIDED", "": "NOT JUDGED"}.get(overall, "LEVEL " + overall)
         self.why = [best.get(overall, "Level %s is the best level met." % overall)]
         decision = record.text("asked_decision")

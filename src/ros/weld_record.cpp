@@ -100,12 +100,17 @@ JsonObject verdictOf(const WeldEvaluation& evaluation, const WeldSettings& setti
   JsonObject levels;
   for (const QualityLevel level : kQualityLevels)
     levels.add(name(level), name(verdict.levels[static_cast<std::size_t>(level)]));
+  std::map<std::string, std::uint64_t> waiting;
+  for (const auto& [what, count] : verdict.waiting.for_what)
+    waiting[what] = static_cast<std::uint64_t>(count);
   JsonObject object;
   object.add("overall", verdict.verdict)
       .add("unverified", verdict.unverified)
       .add("asked", settings.judging.level)
       .add("asked_decision", name(verdict.asked))
       .add("levels", levels)
+      .add("waits_for", verdict.waits_for)
+      .add("sections_waiting", waiting)
       .add("notes", verdict.notes)
       .add("limits", settings.judging.limits_file.empty() ? "ISO 5817, built in" : settings.judging.limits_file)
       .add("height_limits", heightLimitsOf(evaluation, settings.judging))

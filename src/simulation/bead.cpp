@@ -179,7 +179,11 @@ double Bead::height(const PathPoint& point) const
 double Bead::target(const PathPoint& point, double rest) const
 {
   const double half = halfWidth(point.s);
-  return std::abs(point.q) < half ? chord(point, half) + rest : plateHeight(point);
+  if (!(std::abs(point.q) < half))
+    return plateHeight(point);
+  // a parallel to the chord at this distance
+  const double across = plateHeight(PathPoint{ half, point.s }) - plateHeight(PathPoint{ -half, point.s });
+  return chord(point, half) + rest * std::hypot(2.0 * half, across) / (2.0 * half);
 }
 
 Zone Bead::zone(const PathPoint& point) const

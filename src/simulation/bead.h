@@ -41,7 +41,8 @@ public:
   double plateHeight(const PathPoint& point) const;
   double height(const PathPoint& point) const;
 
-  /// What a grinder makes flush: the chord of the toes and a rest above it inside the bead, the plates outside.
+  /// What a grinder makes flush: the chord of the toes and a rest above it, along its normal,
+  /// inside the bead, the plates outside.
   double target(const PathPoint& point, double rest) const;
 
   /// An undercut is where the surface lies more than kUndercut below the plate.

@@ -63,6 +63,7 @@ std::string CommandLine::help() const
   for (const std::string& line : examples_)
     text += "  " + line + "\n";
   return text +
-         "\nexit status: 0 good; 1 bad input, one line on standard error; 2 usage; 3 ran, but the result is poor\n";
+         "\nexit status: 0 good; 1 bad input, one line on standard error; 2 usage; 3 ran, but the result is poor;\n"
+         "130 interrupted\n";
 }
 }  // namespace weld_profiler

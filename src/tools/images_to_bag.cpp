@@ -38,7 +38,8 @@ void declare(CommandLine& command, Options& options)
   command.option("fps F", options.fps, "images a second that the bag pretends, (0, 10000]");
   command.required();
   command.option("camera FILE", options.camera,
-                 "the camera that took them: a ROS camera YAML, or a calibration file (its joint is used, too)");
+                 "the camera that took them: a ROS camera YAML, or a calibration file (its joint and the joint's unit "
+                 "are used, too)");
   command.required();
   command.option("out BAG", options.out, "the bag to write");
   command.required();

@@ -40,7 +40,8 @@ void declare(CommandLine& command, Options& options)
   command.option("calibration FILE", options.calibration, "camera, laser plane and stage axis of the rig");
   command.required();
   command.option("params FILE", options.params,
-                 "YAML with the parameters of stripe_centre and triangulation, in sections of these names or flat");
+                 "YAML with the parameters of stripe_centre, triangulation and weld_measurement, in sections of these "
+                 "names or flat");
   command.option("namespace NS", options.name_space, "of image_raw in the bag; needed when there is more than one");
   command.option("motion M", options.motion, "stage (joint_states) or tf (the sensor's pose from /tf)");
   command.option("fixed-frame F", options.fixed_frame, "frame of the cloud with --motion tf");

@@ -21,11 +21,12 @@ void declare(CommandLine& command, Options& options)
 {
   command.option("out DIR", options.out, "the folder: new, empty, or one that the same command has begun");
   command.required();
-  command.option("count N", options.count, "how many clouds in all");
+  command.option("count N", options.count, "how many clouds in all, 1..1000000");
   command.required();
   command.option("seed S", options.seed, "another seed, other welds; the first N of a seed are always the same");
   command.required();
-  command.option("validation SHARE", options.validation, "of the clouds that go to validation/, of each kind alike");
+  command.option("validation SHARE", options.validation,
+                 "of the clouds that go to validation/, of each kind alike, 0..0.9");
   command.example("weld_dataset --out welds --count 1000 --seed 1");
 }
 

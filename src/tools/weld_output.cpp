@@ -49,6 +49,8 @@ std::string outcome(const WeldEvaluation& evaluation)
     text += " (" + evaluation.verdict.notes.front() + ")";
   if (evaluation.verdict.unverified)
     text += " (rests on limits that were not verified)";
+  if (evaluation.verdict.waiting.sections > 0)
+    text += "; " + evaluation.verdict.waiting.text();
   return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
 }
 }  // namespace

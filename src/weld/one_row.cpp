@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "kind_model.h"
+#include "lone_parents.h"
 #include "measuring.h"
 #include "row_beads.h"
 #include "seam_summary.h"
@@ -59,6 +60,15 @@ WeldKind kindOf(const SectionShape& shape, const WeldParams& params)
   }
   return best.score > 0.0 ? best.kind : WeldKind::None;
 }
+/// Without a face that rises from both lines they may be no parents: a part of the face, where a plate is hardly in
+/// view. Nor is an offset told that is not known better than a width must be.
+void refuseDoubtfulParents(const WeldParams& params, WeldSection& section)
+{
+  if (section.hasBead() && !(section.misalignment.sigma > params.max_width_sigma))
+    return;
+  section.misalignment = Quantity();
+  section.angle = Quantity();
+}
 }  // namespace
 
 WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& params)
@@ -86,6 +96,7 @@ WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& pa
   };
   shape.left = parent(Side::Left, -half, bead->left);
   shape.right = parent(Side::Right, half, bead->right);
+  widenParents(profile, shape);
   shape.toe_left = fitToe(profile, ToeQuestion{ Side::Left, -half, half }, shape.left, params);
   shape.toe_right = fitToe(profile, ToeQuestion{ Side::Right, half, -half }, shape.right, params);
   for (ToeFit* toe : { &shape.toe_left, &shape.toe_right })
@@ -95,6 +106,7 @@ WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& pa
   if (kind != WeldKind::None)
     kindModel(kind).measure(shape, section);
   refuseDoubtful(params, section);
+  refuseDoubtfulParents(params, section);
   return section;
 }
 }  // namespace weld

@@ -54,7 +54,7 @@ private:
     if (!std::isfinite(flush) || beyondEnds(place.s))
       return;
     const bool weld = view_.zones.zone(k, place.q) == Zone::Weld;
-    const double target = flush + (weld ? restHeight(params_) : 0.0);
+    const double target = flush + (weld ? restAbove(view_.zones.chord(k), params_) : 0.0);
     result.target[at] = static_cast<float>(target);
     if (label == WeldLabel::Bead || label == WeldLabel::Spatter)
       result.removal[at] = static_cast<float>(std::max(0.0, z - target));
@@ -109,9 +109,9 @@ private:
 };
 }  // namespace
 
-double restHeight(const WeldParams& params)
+double restAbove(const Line& chord, const WeldParams& params)
 {
-  return params.target == "rest" ? params.rest_height : 0.0;
+  return params.target == "rest" ? params.rest_height * std::sqrt(1.0 + square(chord.slope)) : 0.0;
 }
 
 void fillMaps(const SeamView& view, const std::vector<double>& undercut_left, const std::vector<double>& undercut_right,

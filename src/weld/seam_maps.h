@@ -28,7 +28,7 @@ struct SeamView
 void fillMaps(const SeamView& view, const std::vector<double>& undercut_left, const std::vector<double>& undercut_right,
               const WeldParams& params, WeldResult& result);
 
-/// How far the target stands above flush [m].
-double restHeight(const WeldParams& params);
+/// How far along z the target stands above the chord of the toes: by rest_height along the chord's normal [m].
+double restAbove(const Line& chord, const WeldParams& params);
 }  // namespace weld
 }  // namespace weld_profiler

@@ -24,9 +24,10 @@ bool rises(const Quantity& height)
 }
 
 /// Area of a section above the target [m^2].
-double areaAboveTarget(const SectionProfile& profile, const SectionShape& shape, double rest)
+double areaAboveTarget(const SectionProfile& profile, const SectionShape& shape, const WeldParams& params)
 {
   const Line chord = shape.chord();
+  const double rest = restAbove(chord, params);
   double area = 0.0, last_q = shape.toe_left.q, last_above = 0.0;
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
@@ -79,7 +80,7 @@ void fillVolumes(const SeamSections& sections, const WeldParams& params, WeldRes
     if (!measured[k] || !std::isfinite(lengths[k]))
       continue;
     volume += result.sections[k].area.value * lengths[k];
-    removal += areaAboveTarget(sections.profile(k), sections.shape(k), restHeight(params)) * lengths[k];
+    removal += areaAboveTarget(sections.profile(k), sections.shape(k), params) * lengths[k];
     length += lengths[k];
     sigmas.push_back(result.sections[k].area.sigma);
   }

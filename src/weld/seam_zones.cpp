@@ -54,6 +54,14 @@ Zone SeamZones::zone(std::size_t k, double q) const
   return left < right && shape.left.valid() && shape.right.valid() ? Zone::Weld : Zone::Nowhere;
 }
 
+Line SeamZones::chord(std::size_t k) const
+{
+  const SectionShape& shape = sections_.shape(k);
+  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
+  const double z = shape.left.line.at(left), slope = (shape.right.line.at(right) - z) / (right - left);
+  return Line{ z - slope * left, slope };
+}
+
 double SeamZones::flush(std::size_t k, double q) const
 {
   const SectionShape& shape = sections_.shape(k);
@@ -64,11 +72,7 @@ double SeamZones::flush(std::size_t k, double q) const
     case Zone::RightParent:
       return shape.right.line.at(q);
     case Zone::Weld:
-    {
-      const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
-      const double share = (q - left) / (right - left);
-      return (1.0 - share) * shape.left.line.at(left) + share * shape.right.line.at(right);
-    }
+      return chord(k).at(q);
     case Zone::Nowhere:
       break;
   }

@@ -30,6 +30,9 @@ public:
   /// Parent lines, and the chord of the toes between them; NaN where nothing is known [m].
   double flush(std::size_t k, double q) const;
 
+  /// Through the parent lines at the toes that a section is mapped between; not valid where one is not known.
+  Line chord(std::size_t k) const;
+
   /// What more is let pass at s: nothing between the first section and the last [m].
   double slack(double s) const;
 

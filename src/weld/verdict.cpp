@@ -15,6 +15,23 @@ const VerdictParams& checked(const VerdictParams& params)
   params.validate();
   return params;
 }
+VerdictPart partOf(const Judgement& judgement, const LimitEntry& limit, const WeldSection& section)
+{
+  VerdictPart part{ name(judgement.imperfection), {}, limit.verified };
+  if (!judgement.side.empty())
+    part.name += " " + judgement.side;
+  for (const QualityLevel level : kQualityLevels)
+  {
+    Decision decision = judgement.at(level).decision;
+    if (decision == Decision::NotMeasured && limit.at(level).rule == LevelLimit::Rule::Permitted)
+      decision = Decision::Pass;  // whatever its size is
+    // where no bead was measured plates that lie well are no reason to expect that it is good
+    if (!section.hasBead() && decision != Decision::Fail)
+      decision = Decision::NotMeasured;
+    part.levels[static_cast<std::size_t>(level)] = decision;
+  }
+  return part;
+}
 }  // namespace
 
 const char* name(Decision decision)
@@ -76,25 +93,22 @@ SectionVerdict WeldJudge::judge(WeldKind kind, const WeldSection& section) const
     judgement.imperfection = size.imperfection;
     judgement.side = size.side;
     judgement.value = size.value;
-    const LimitEntry* limit = entry(size.imperfection, kind);
-    if (limit != nullptr)
+    if (const LimitEntry* limit = entry(size.imperfection, kind))
     {
-      VerdictPart part{ {}, limit->verified };
       for (const QualityLevel level : kQualityLevels)
-      {
-        const auto index = static_cast<std::size_t>(level);
-        judgement.levels[index] = compare(*limit, level, size.value, dimensions(section));
-        part.levels[index] = judgement.levels[index].decision;
-      }
+        judgement.levels[static_cast<std::size_t>(level)] = compare(*limit, level, size.value, dimensions(section));
       judgement.verified = limit->verified;
       judgement.decides = decidesSections(size.imperfection, params_.judge_toe_angle);
       if (judgement.decides)
-        parts.push_back(part);
+        parts.push_back(partOf(judgement, *limit, section));
     }
     result.judgements.push_back(judgement);
   }
   const LevelVerdict together = combine(parts);
   result.verdict = together.verdict;
+  result.waits_for = missingParts(parts, together);
+  if (!result.waits_for.empty() && !section.hasBead())
+    result.waits_for = { "width" };
   result.unverified = together.unverified;
   result.levels = together.levels;
   result.unverified_levels = together.unverified_levels;

@@ -11,14 +11,18 @@ constexpr double kRounding = 1e-12;  // a size at its limit is within it [m or r
 
 Decision levelOf(const std::vector<VerdictPart>& parts, std::size_t level)
 {
-  // what overrides what
-  for (const Decision decision : { Decision::Fail, Decision::NotMeasured, Decision::Undecided, Decision::Pass })
+  const auto any = [&](Decision decision)
   {
-    if (std::any_of(parts.begin(), parts.end(),
-                    [=](const VerdictPart& part) { return part.levels[level] == decision; }))
-      return decision;
-  }
-  return Decision::NotJudged;
+    return std::any_of(parts.begin(), parts.end(),
+                       [=](const VerdictPart& part) { return part.levels[level] == decision; });
+  };
+  if (any(Decision::Fail))
+    return Decision::Fail;
+  if (any(Decision::Undecided) || (any(Decision::Pass) && any(Decision::NotMeasured)))
+    return Decision::Undecided;
+  return any(Decision::Pass)          ? Decision::Pass
+         : any(Decision::NotMeasured) ? Decision::NotMeasured
+                                      : Decision::NotJudged;
 }
 
 /// Whether what is said of a level rests on a limit that was not read. One failure by a limit that was is enough.
@@ -40,6 +44,21 @@ Decision decide(const Quantity& margin, double fail_sigmas)
   if (margin.value + kRounding >= kPassSigmas * margin.sigma)
     return Decision::Pass;
   return margin.value <= -fail_sigmas * margin.sigma ? Decision::Fail : Decision::Undecided;
+}
+
+std::vector<std::string> missingParts(const std::vector<VerdictPart>& parts, const LevelVerdict& together)
+{
+  std::vector<std::string> missing;
+  const auto level = std::find_if(together.levels.begin(), together.levels.end(),
+                                  [](Decision decision) { return decision != Decision::Fail; });
+  if (level == together.levels.end() || *level == Decision::Pass)
+    return missing;
+  for (const VerdictPart& part : parts)
+  {
+    if (part.levels[static_cast<std::size_t>(level - together.levels.begin())] == Decision::NotMeasured)
+      missing.push_back(part.name);
+  }
+  return missing;
 }
 
 LevelVerdict combine(const std::vector<VerdictPart>& parts)

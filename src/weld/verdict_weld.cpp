@@ -38,15 +38,30 @@ void addPart(const std::vector<VerdictRow>& rows, bool required, std::vector<Ver
 {
   if (rows.size() != kQualityLevels.size() || rows.front().edition.empty())
     return;
-  VerdictPart part{ {}, true };
+  VerdictPart part{ name(rows.front().imperfection), {}, true };
   for (const VerdictRow& row : rows)
   {
     if (row.decision == Decision::NotJudged || (row.decision == Decision::NotMeasured && !required))
       return;
-    part.levels[static_cast<std::size_t>(row.level)] = row.decision;
+    const bool any = row.decision == Decision::NotMeasured && row.rule == LevelLimit::Rule::Permitted;
+    part.levels[static_cast<std::size_t>(row.level)] = any ? Decision::Pass : row.decision;
     part.verified = part.verified && row.verified;
   }
   parts.push_back(part);
+}
+
+WaitingSections waitingOf(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections)
+{
+  WaitingSections waiting;
+  for (const WeldSection& section : sections)
+  {
+    const SectionVerdict verdict = judge.judge(kind, section);
+    ++waiting.all;
+    waiting.sections += verdict.waits_for.empty() ? 0 : 1;
+    for (const std::string& what : verdict.waits_for)
+      ++waiting.for_what[what];
+  }
+  return waiting;
 }
 
 void noteThickness(const WeldJudge& judge, std::vector<std::string>& notes)
@@ -99,6 +114,7 @@ void noteRows(const WeldJudge& judge, const WeldVerdict& verdict, std::vector<st
 void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, WeldVerdict& verdict)
 {
   const LevelVerdict together = combine(parts);
+  verdict.waits_for = missingParts(parts, together);
   verdict.verdict = together.verdict;
   verdict.unverified = together.unverified;
   verdict.levels = together.levels;
@@ -110,6 +126,17 @@ void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, Wel
   }
 }
 }  // namespace
+
+std::string WaitingSections::text() const
+{
+  if (sections == 0)
+    return "";
+  std::vector<std::string> counts;
+  for (const auto& [what, count] : for_what)
+    counts.push_back(what + " " + std::to_string(count));
+  return std::to_string(sections) + " of " + std::to_string(all) +
+         (sections == 1 ? " sections waits" : " sections wait") + " for what was not measured there: " + listOf(counts);
+}
 
 WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
 {
@@ -137,9 +164,12 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
     result.rows.insert(result.rows.end(), made.begin(), made.end());
   }
   conclude(*this, parts, result);
+  result.waiting = waitingOf(*this, weld.kind, sections);
   noteThickness(*this, result.notes);
   noteLength(result, result.notes);
   noteRows(*this, result, result.notes);
+  if (result.waiting.sections > 0)
+    result.notes.push_back(result.waiting.text());
   return result;
 }
 }  // namespace weld_profiler

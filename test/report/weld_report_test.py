@@ -60,6 +60,12 @@ class WhatIsShown(WeldReportCase):
             self.assertIn(sentence, page.text)
             self.assertNotIn(other, page.text)
 
+    def test_says_what_a_verdict_waits_for(self):
+        self.make(rows=30, cells=300)
+        self.edit(lambda record: record["verdict"].update({"overall": "undecided", "asked": "", "asked_decision": "not_judged",
+                                                           "waits_for": ["undercut", "excess_weld_metal"]}))
+        self.assertIn("It waits for what was not measured: undercut, excess weld metal.", self.page().text)
+
     def test_draws_no_parent_line_through_what_is_no_base_metal(self):
         self.make("bead_on_plate")
         folder = WeldFolder(self.folder)

@@ -105,6 +105,29 @@ TEST_F(WeldFiles, WeldJsonStatesTheLimitsOfTheHeight)
   }
 }
 
+TEST_F(WeldFiles, WeldJsonCountsTheSectionsThatWaitForWhatSpatterHides)
+{
+  const IdealWeld weld;
+  const auto surface = [&weld](double x, double y)
+  {
+    const double rest = 2.5e-7 - (x - 0.0052) * (x - 0.0052) - (y - 0.006) * (y - 0.006);
+    return weld(x, y) + (rest > 0.0 ? std::sqrt(rest) : 0.0);
+  };
+  settings_.judging.thickness = 0.004;
+  write(IdealScanner()(surface));
+  const YAML::Node verdict = record()["verdict"];
+  ASSERT_EQ(verdict["sections_waiting"].size(), 1u) << verdict;
+  const int waiting = verdict["sections_waiting"]["undercut right"].as<int>();
+  EXPECT_GE(waiting, 3) << "rows 0.2 mm apart, a ball of 1 mm";
+  EXPECT_LE(waiting, 9);
+  EXPECT_EQ(verdict["waits_for"].size(), 0u) << "elsewhere it was measured";
+  const std::string csv = readText(folder_.file("weld.csv"));
+  int undecided = 0;
+  for (std::size_t at = csv.find(",undecided,"); at != std::string::npos; at = csv.find(",undecided,", at + 1))
+    ++undecided;
+  EXPECT_EQ(undecided, waiting);
+}
+
 TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOne)
 {
   write(IdealScanner()(IdealWeld()));

@@ -108,7 +108,7 @@ TEST_F(CommandLineTest, HelpNamesEveryOptionItsDefaultAndAnExample)
 {
   const std::string help = command_.help();
   for (const char* text : { "usage: weigh --out DIR", "Weighs things.", "--mass KG", "(default 1.5)", "(required)",
-                            "weigh --out here apple", "exit status" })
+                            "weigh --out here apple", "exit status", "130 interrupted" })
     EXPECT_NE(help.find(text), std::string::npos) << text;
 }
 

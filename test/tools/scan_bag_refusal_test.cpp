@@ -56,6 +56,32 @@ TEST_F(ScanBagRefuses, AJointThatIsNotThere)
   refuses(kCalibration + "--out out other_joint.bag", { "stage_joint", "gripper" });
 }
 
+/// The sections of a parameter file that a command reads, told by what it refuses in them, are those its help names.
+TEST_F(ScanBagRefuses, WhatItsHelpSaysThatItReads)
+{
+  const std::vector<std::string> sections = { "camera",        "simulated_rig", "stage_encoder",
+                                              "stripe_centre", "triangulation", "weld_measurement" };
+  const std::vector<std::pair<std::string, std::string>> commands = {
+    { "scan_bag", kCalibration + "--params strange.yaml --out out nowhere.bag" },
+    { "extract_stripe", "--params strange.yaml --out out nowhere.png" }
+  };
+  int read = 0;
+  for (const auto& [command, arguments] : commands)
+  {
+    const std::string help = run(command, "--help").output;
+    const std::string about = help.substr(help.find("  --params FILE"), 300);
+    const std::string sentence = about.substr(0, about.find("\n  --", 5));
+    for (const std::string& section : sections)
+    {
+      write("strange.yaml", section + ":\n  strange: 1\n");
+      const bool reads = run(command, arguments).says("strange.yaml: " + section);
+      EXPECT_EQ(sentence.find(section) != std::string::npos, reads) << command << ", " << section << ": " << sentence;
+      read += reads ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(read, 4);
+}
+
 TEST_F(ScanBagRefuses, BadParametersAndPlaces)
 {
   refuses("--calibration nowhere.yaml --out out weld.bag", { "nowhere.yaml" });

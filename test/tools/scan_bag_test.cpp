@@ -14,23 +14,30 @@ namespace weld_profiler
 {
 namespace
 {
-/// What a bag with one scan of a weld leaves; where a scan as coarse as this one shows no section there are no meshes.
-std::vector<std::string> weldFiles(bool meshes)
-{
-  std::vector<std::string> names = { "passes.csv", "report.html", "report.png",     "scan.pcd",
-                                     "scan.ply",   "spots.csv",   "summary.json",   "verdict.csv",
-                                     "weld.csv",   "weld.json",   "weld_points.pcd" };
-  if (meshes)
-    names.insert(names.end(), { "bead.ply", "target.ply" });
-  std::sort(names.begin(), names.end());
-  return names;
-}
+/// What a bag with one scan of a weld leaves.
+const std::vector<std::string> kWeldFiles = { "bead.ply", "passes.csv", "report.html",    "report.png", "scan.pcd",
+                                              "scan.ply", "spots.csv",  "summary.json",   "target.ply", "verdict.csv",
+                                              "weld.csv", "weld.json",  "weld_points.pcd" };
+
+/// Half of the default rig's pixels, and a weld that runs all along: every section shows it, as not every one of
+/// weld.bag does.
+const std::string kFineScene = R"(preset: realistic
+encoder_rate: 200
+frame_count: 20
+weld: {start: -0.01}
+camera:
+  image_width: 720
+  image_height: 540
+  camera_matrix: [3000.0, 0.0, 359.5, 0.0, 3000.0, 269.5, 0.0, 0.0, 1.0]
+  distortion_model: plumb_bob
+  distortion_coefficients: [0.0, 0.0, 0.0, 0.0, 0.0]
+)";
 
 TEST_F(ScanBag, LeavesCloudAndBalance)
 {
-  const CommandResult result = scan(kCalibration + "--out scan weld.bag");
+  const CommandResult result = scan(kCalibration + "--no-weld --out scan weld.bag");
   ASSERT_EQ(result.status, 0) << result.errors;
-  EXPECT_EQ(filesIn("scan"), weldFiles(std::filesystem::exists(path("scan/bead.ply"))));
+  EXPECT_EQ(filesIn("scan"), (std::vector<std::string>{ "scan.pcd", "scan.ply", "summary.json" }));
   const YAML::Node balance = summary("scan");
   EXPECT_EQ(balance["frames_in"].as<int>(), 20);
   EXPECT_EQ(balance["rows"].as<int>(), 20);
@@ -39,6 +46,22 @@ TEST_F(ScanBag, LeavesCloudAndBalance)
   EXPECT_NE(pcd.find("WIDTH 360"), std::string::npos);
   EXPECT_NE(pcd.find("HEIGHT 20"), std::string::npos);
   EXPECT_NE(pcd.find("DATA binary\n"), std::string::npos);
+}
+
+TEST_F(ScanBag, LeavesEveryFileOfAWeldThatItMeasured)
+{
+  write("fine.yaml", kFineScene);
+  ASSERT_EQ(run("simulate_scan", "--scene fine.yaml --out weld.bag").status, 0);
+  const CommandResult result = scan(kCalibration + "--out scan weld.bag");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(filesIn("scan"), kWeldFiles);
+  for (const char* mesh : { "scan/bead.ply", "scan/target.ply" })
+  {
+    const std::string ply = text(mesh);
+    const std::size_t faces = ply.find("element face ");
+    ASSERT_NE(faces, std::string::npos) << mesh;
+    EXPECT_GT(std::stoi(ply.substr(faces + 13)), 1000) << mesh;
+  }
 }
 
 TEST_F(ScanBag, AGapOfTheEncoderLeavesItsFramesUnplacedAndCounted)

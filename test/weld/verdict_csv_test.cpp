@@ -119,7 +119,13 @@ TEST(VerdictCsv, LeavesEmptyWhatWasNotMeasuredOrHasNoLimit)
   auto lines = linesOf(sections, plate(4.0));
   for (const char* column : { "value_mm", "sigma_mm", "limit_mm", "margin_mm", "decision" })
     EXPECT_EQ(lines["misalignment B"][column], "") << column;
-  EXPECT_EQ(lines["weld B"]["decision"], "");
+  EXPECT_EQ(lines["weld B"]["decision"], "undecided") << "it waits for 507";
+  for (WeldSection& section : sections)
+    section.width = section.reinforcement = section.undercut_left = section.undercut_right =
+        section.incomplete_fill = {};
+  sections[0].width = sections[199].width = goodSection().width;
+  lines = linesOf(sections, plate(4.0));
+  EXPECT_EQ(lines["weld B"]["decision"], "") << "of what decides nothing was measured";
   EXPECT_EQ(lines["weld B"]["source"], "");
   lines = linesOf(goodWeld(0.05), {});
   EXPECT_EQ(lines["undercut B"]["value_mm"], "0.000000");

@@ -32,7 +32,8 @@ TEST(VerdictInput, DoesNotPassWhatIsMostlyNotMeasured)
   EXPECT_EQ(judged(sections, plate(4.0)).verdict, "fail") << "a fault that was seen counts";
   for (WeldSection& section : sections)
     section.undercut_left = section.undercut_right = {};
-  EXPECT_EQ(judged(sections, plate(4.0)).verdict, "");
+  EXPECT_EQ(judged(sections, plate(4.0)).verdict, "undecided");
+  EXPECT_EQ(judged(sections, plate(4.0)).waits_for, std::vector<std::string>{ "undercut" });
   EXPECT_EQ(rowOf(judged(sections, plate(4.0)), Imperfection::Undercut, QualityLevel::B).decision,
             Decision::NotMeasured);
   EXPECT_TRUE(noted(judged(sections, plate(4.0)), "undercut was not measured"));

@@ -206,14 +206,45 @@ TEST(WeldMeasurer, TakesSectionsAStepApart)
   EXPECT_EQ(result.sections.size(), 12u) << "12 mm, rows 0.2 mm apart";
 }
 
-TEST(WeldMeasurer, MeasuresAsTheKindThatIsAskedFor)
+/// What is said of a weld that is measured as the kind that was asked for.
+std::string saidOf(const IdealWeld& weld, WeldKind kind)
 {
+  WeldParams params;
+  params.kind = name(kind);
+  const WeldResult result = WeldMeasurer(params).measure(IdealScanner()(weld));
+  EXPECT_EQ(result.kind, kind);
+  EXPECT_DOUBLE_EQ(result.measured_share, 1.0);
+  return result.reason;
+}
+
+TEST(WeldMeasurer, MeasuresFlushPlatesAsAButtWeldWhereThatIsAskedFor)
+{
+  EXPECT_EQ(saidOf(IdealWeld(), WeldKind::Butt), "") << "two plates without offset and angle look like one";
   WeldParams params;
   params.kind = "butt";
   const WeldResult result = WeldMeasurer(params).measure(IdealScanner()(IdealWeld()));
-  EXPECT_EQ(result.kind, WeldKind::Butt);
-  EXPECT_EQ(result.scores.front().kind, WeldKind::BeadOnPlate);
-  EXPECT_NE(result.reason.find("asked for"), std::string::npos) << result.reason;
+  EXPECT_EQ(result.scores.front().kind, WeldKind::Butt);
+  EXPECT_LT(middleSection(result).misalignment.value, 5e-6);
+  IdealWeld offset;
+  offset.misalignment = 0.0004;
+  EXPECT_EQ(saidOf(offset, WeldKind::Butt), "");
+}
+
+TEST(WeldMeasurer, SaysThatTheParentsDoNotLieAsInTheKindThatIsAskedFor)
+{
+  IdealWeld corner;
+  corner.angle = 90.0 * kDegree;
+  EXPECT_NE(saidOf(corner, WeldKind::Butt).find("weld of kind butt, which was asked for"), std::string::npos);
+  EXPECT_NE(saidOf(IdealWeld(), WeldKind::Fillet).find("kind fillet, which was asked for"), std::string::npos);
+  IdealWeld plate;
+  plate.misalignment = 1e-5;
+  EXPECT_EQ(saidOf(plate, WeldKind::BeadOnPlate), "") << "less than same_plate_offset";
+  for (const double offset : { 4e-5, 0.0005 })
+  {
+    plate.misalignment = offset;
+    EXPECT_NE(saidOf(plate, WeldKind::BeadOnPlate).find("kind bead_on_plate, which was asked for"), std::string::npos)
+        << "507 is not judged of one plate, so that it must be said, offset " << offset;
+  }
 }
 
 TEST(WeldMeasurer, RefusesACellOutsideTheScan)

@@ -86,7 +86,7 @@ public:
   /// What the point of the surface belongs to.
   TrueLabel surfaceLabel(double x, double y) const;
   /// The target of grinding, as a height over the cloud's x and y: inside the bead the chord of its toes and a rest
-  /// above it, outside the parent plates [m].
+  /// above it along its normal, outside the parent plates [m].
   double targetHeight(double x, double y, double rest = 0.0) const;
   /// What must come off, along z: true surface, spatter and pores included, above that target; >= 0, NaN on a block
   /// [m].

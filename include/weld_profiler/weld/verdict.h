@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ enum class Decision
   NotJudged,  ///< measured, but there is no limit, or it was not asked for
   Pass,
   Fail,
-  Undecided  ///< the limit lies within 2 sigma
+  Undecided  ///< the limit lies within 2 sigma; of several sizes: one of them, or one was not measured
 };
 
 /// As in verdict.csv: empty, `not_judged`, `pass`, `fail`, `undecided`.
@@ -48,9 +49,10 @@ struct Judgement
 /// The verdict on one section, without the rule for short imperfections.
 struct SectionVerdict
 {
-  std::string verdict;               ///< as in weld.csv; empty = not measured
-  bool unverified = false;           ///< rests on a limit that was not read
-  std::array<Decision, 3> levels{};  ///< whether B, C, D are met
+  std::string verdict;                 ///< as in weld.csv; empty = not judged, or nothing of a bead was measured
+  std::vector<std::string> waits_for;  ///< what was not measured and leaves it undecided: `undercut left`, `width`, ...
+  bool unverified = false;             ///< rests on a limit that was not read
+  std::array<Decision, 3> levels{};    ///< whether B, C, D are met
   std::array<bool, 3> unverified_levels{};
   std::vector<Judgement> judgements;
 };
@@ -73,10 +75,23 @@ struct VerdictRow
   bool verified = false;
 };
 
+/// Sections whose verdict waits for something that was not measured there.
+struct WaitingSections
+{
+  int sections = 0;                     ///< that wait
+  int all = 0;                          ///< of the weld
+  std::map<std::string, int> for_what;  ///< how many wait for each, as in SectionVerdict::waits_for
+
+  /// `16 of 200 sections wait for what was not measured there: undercut left 9, undercut right 8`, or empty.
+  std::string text() const;
+};
+
 /// The verdict on the whole weld.
 struct WeldVerdict
 {
-  std::string verdict;               ///< B, C, D (best level met), fail, undecided; empty = not measured
+  std::string verdict;                 ///< B, C, D (best level met), fail, undecided; empty = not judged
+  std::vector<std::string> waits_for;  ///< imperfections that were measured nowhere and leave it undecided
+  WaitingSections waiting;
   bool unverified = false;           ///< rests on a limit that was not read
   std::array<Decision, 3> levels{};  ///< whether B, C, D are met
   std::array<bool, 3> unverified_levels{};

@@ -12,7 +12,7 @@ namespace weld_profiler
 struct WeldRecord
 {
   WeldSection section;
-  std::string verdict;      ///< B, C, D, fail, undecided; empty = not measured
+  std::string verdict;      ///< B, C, D, fail, undecided; empty = not judged, no bead
   bool unverified = false;  ///< the verdict rests on a limit that was not read
 };
 

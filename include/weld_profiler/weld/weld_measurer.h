@@ -23,6 +23,7 @@ public:
 
   /// One provisional section from one profile: what a row shows, times the cosine of the yaw. Nothing is known of the
   /// neighbours, so it is less certain than a section of measure() and may miss a bead or take another for it.
+  /// Misalignment and angle are NaN where a parent is hardly in view.
   /// @param yaw  of the weld's path against y, where it is known [rad].
   /// @return a section without a width where the profile shows no bead.
   /// @throws PreconditionError when a cell lies outside the profile.

@@ -9,7 +9,7 @@ struct WeldParams
 {
   std::string kind = "auto";          ///< auto, butt, fillet, bead_on_plate
   std::string target = "flush";       ///< what grinding is to leave: flush (with the parents), rest (rest_height above)
-  double rest_height = 2e-4;          ///< left standing above flush, with target rest [m], 0..0.01
+  double rest_height = 2e-4;          ///< left standing normal to the toes' chord, with target rest [m], 0..0.01
   double section_step = 0.0;          ///< between sections along the path [m], 0..0.1; 0 = one a row
   double min_width = 1.5e-3;          ///< narrowest bead looked for [m]
   double max_width = 0.040;           ///< widest bead looked for [m]
