@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "weld/compared.h"
 #include "weld/ground_weld.h"
 #include "weld_profiler/core/errors.h"
 
@@ -9,18 +10,6 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr double kLength = 59 * 2e-4;  // of the scan before, first row to last
-
-/// Value within 3 of its sigmas, and within what issue and domain ask for: 1 % or 5 um over the width.
-void expectVolume(const char* what, const Quantity& volume, double truth, double width)
-{
-  ASSERT_TRUE(volume.measured()) << what;
-  EXPECT_LT(std::abs(volume.value - truth), 3.0 * volume.sigma)
-      << what << " " << 1e9 * volume.value << " is " << 1e9 * truth << " mm^3, sigma " << 1e9 * volume.sigma;
-  EXPECT_NEAR(volume.value, truth, std::max(0.01 * truth, 5e-6 * width * kLength)) << what;
-  EXPECT_LT(volume.sigma, std::max(0.01 * truth, 5e-6 * width * kLength)) << what << ": a sigma that says nothing";
-}
-
 /// Shift and turn within 4 sigma of the inverse of the part's motion.
 void expectAligned(const ScanAlignment& aligned, const Eigen::Isometry3d& motion)
 {
@@ -111,96 +100,6 @@ TEST(ScanComparison, ToesThatWereLeftStandingTellTheShiftAcross)
       comparison.aligned.before_T_after * far * comparison.aligned.about - comparison.aligned.about;
   EXPECT_NEAR(std::cos(weld.yaw) * off.x() + std::sin(weld.yaw) * off.y(), 0.0, 6e-5) << "across the weld";
   EXPECT_NEAR(off.z(), 0.0, 5e-6);
-}
-
-namespace
-{
-/// Two offset plates whose weld was undercut.
-IdealWeld offsetWeld()
-{
-  IdealWeld weld;
-  weld.misalignment = 0.0008;
-  weld.undercut = 0.0002;
-  weld.yaw = 6.0 * kDegree;
-  return weld;
-}
-
-IdealWeld groundFlush(IdealWeld weld)
-{
-  weld.height = 1e-9;
-  return weld;
-}
-
-bool noted(const ScanComparison& comparison, const std::string& words)
-{
-  for (const std::string& note : comparison.notes)
-    if (note.find(words) != std::string::npos)
-      return true;
-  return false;
-}
-
-double removedOf(const IdealWeld& weld)
-{
-  return segmentArea(weld.width, weld.height) * kLength / std::cos(weld.yaw);
-}
-}  // namespace
-
-TEST(ScanComparison, UndercutsThatWereLeftStandingTellTheShiftAcross)
-{
-  const IdealWeld weld = offsetWeld();
-  const Scan before = IdealScanner()(weld);
-  // the step between the plates is worth 0.8 mm x 11.8 mm of volume for every mm of shift
-  for (const double shift : { 0.0008, -0.0012 })
-  {
-    const Eigen::Isometry3d motion = motionAbout({ 0.0, 0.006, 0.0 }, { shift, -0.0004, 0.001 }, { 0.8, -1.1, 0.5 });
-    const ScanComparison comparison =
-        ScanComparer().compare(before, moved(longerScanner(13)(groundFlush(weld)), motion));
-    EXPECT_EQ(comparison.kind, WeldKind::Butt);
-    EXPECT_TRUE(comparison.aligned.by_undercuts);
-    EXPECT_TRUE(comparison.aligned.across_told);
-    EXPECT_FALSE(comparison.aligned.along_told) << "they are the same all along";
-    EXPECT_TRUE(noted(comparison, "undercuts were left standing"));
-    const Eigen::Vector3d off =
-        comparison.aligned.before_T_after * motion * comparison.aligned.about - comparison.aligned.about;
-    EXPECT_NEAR(std::cos(weld.yaw) * off.x() + std::sin(weld.yaw) * off.y(), 0.0, 4e-5) << "across the weld";
-    expectVolume("removed", comparison.removed_volume, removedOf(weld), weld.width);
-    expectVolume("remaining", comparison.remaining_volume, 0.0, weld.width);
-    EXPECT_TRUE(comparison.over_ground.empty());
-  }
-}
-
-TEST(ScanComparison, AnUndercutThatWasGroundAwayTellsNothing)
-{
-  const IdealWeld weld = offsetWeld();
-  const auto after = [flush = groundFlush(weld)](double x, double y)
-  {
-    const double q = std::cos(flush.yaw) * x + std::sin(flush.yaw) * y;
-    return q > 0.0 && q < 0.0055 ? std::min(flush(x, y), flush.plate(q) - 0.00025) : flush(x, y);
-  };
-  const ScanComparison comparison =
-      ScanComparer().compare(IdealScanner()(weld), moved(longerScanner(14)(after), kRefixed));
-  EXPECT_FALSE(comparison.aligned.by_undercuts);
-  EXPECT_FALSE(comparison.aligned.across_told);
-  EXPECT_FALSE(noted(comparison, "undercuts were left standing"));
-  // nothing is told, so the volume's sigma has the whole placement: 0.5 mm of the step
-  EXPECT_GT(comparison.removed_volume.sigma, 0.8 * 5e-4 * weld.misalignment * kLength);
-  EXPECT_FALSE(comparison.over_ground.empty());
-}
-
-TEST(ScanComparison, HalfOfAnUndercutIsEnough)
-{
-  const IdealWeld weld = offsetWeld();
-  const auto after = [flush = groundFlush(weld)](double x, double y)
-  {
-    const double q = std::cos(flush.yaw) * x + std::sin(flush.yaw) * y;
-    return q > 0.0 && q < 0.0055 && y > 0.0075 ? std::min(flush(x, y), flush.plate(q) - 0.00025) : flush(x, y);
-  };
-  const ScanComparison comparison =
-      ScanComparer().compare(IdealScanner()(weld), moved(longerScanner(15)(after), kRefixed));
-  EXPECT_TRUE(comparison.aligned.by_undercuts);
-  const Eigen::Vector3d off =
-      comparison.aligned.before_T_after * kRefixed * comparison.aligned.about - comparison.aligned.about;
-  EXPECT_NEAR(std::cos(weld.yaw) * off.x() + std::sin(weld.yaw) * off.y(), 0.0, 6e-5) << "across the weld";
 }
 
 TEST(ScanComparison, SaysTheSameHoweverRowsAndCellsAreOrdered)
