@@ -20,6 +20,7 @@ constexpr int kLeastPatches = 8;     // a side
 constexpr double kLeastShare = 0.1;  // of a side's patches that are seen in both
 constexpr double kLeastFit = 0.5;    // of those, near to each other after the alignment
 constexpr double kSearched = 3.0;    // sigmas of the shift across, within which undercuts are looked for
+constexpr double kCertain = 5e-5;    // of the shift across: no undercuts are needed [m]
 constexpr double kTold = 0.5;        // of what is known beforehand: less certain is not told by any surface
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 const std::array<const char*, 2> kSides = { { "left", "right" } };
@@ -220,10 +221,13 @@ ScanAligner::Laid ScanAligner::lay(Eigen::Isometry3d motion)
   return { motion, step };
 }
 
-/// Walls are matched only when near to each other, so where they are is looked for first.
+/// Where parents and toes leave the shift across uncertain. Walls are matched only when near to each other, so where
+/// they are is looked for first.
 ScanAligner::Laid ScanAligner::layByUndercuts(const Laid& without)
 {
   const double sigma = std::sqrt(across().dot(without.last.covariance.topLeftCorner<3, 3>() * across()));
+  if (marks_.undercuts.empty() || sigma < kCertain)
+    return without;
   const Eigen::Isometry3d found = marks_.undercuts.search(after_, without.motion, across(), kSearched * sigma);
   by_undercuts_ = true;
   Laid laid = lay(found);
@@ -235,9 +239,7 @@ ScanAligner::Laid ScanAligner::layByUndercuts(const Laid& without)
 
 ScanAlignment ScanAligner::align()
 {
-  Laid laid = lay(Eigen::Isometry3d::Identity());
-  if (!marks_.undercuts.empty())
-    laid = layByUndercuts(laid);
+  const Laid laid = layByUndercuts(lay(Eigen::Isometry3d::Identity()));
   const MotionStep& step = laid.last;
   requireMatch(step);
   measureNoise(step);
