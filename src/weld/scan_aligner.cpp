@@ -35,26 +35,6 @@ std::vector<std::uint8_t> wanted(const AlignTarget& before, const UndercutMatch&
   return mask;
 }
 
-Eigen::Isometry3d motionOf(const Vector6d& step, const Eigen::Vector3d& about)
-{
-  const Eigen::Vector3d turn = step.tail<3>();
-  const double angle = turn.norm();
-  const Eigen::Matrix3d rotation =
-      angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = rotation;
-  motion.translation() = about + step.head<3>() - rotation * about;
-  return motion;
-}
-
-Vector6d stepOf(const Eigen::Isometry3d& motion, const Eigen::Vector3d& about)
-{
-  const Eigen::AngleAxisd turn(motion.linear());
-  Vector6d step;
-  step << motion * about - about, turn.angle() * turn.axis();
-  return step;
-}
-
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts)
 {

@@ -23,8 +23,6 @@ constexpr double kLeastDepth = 3e-5;  // shallower places may as well be rims or
 constexpr double kOfToe = 2e-4;      // nearer to the face the profile is blurred, by another face before than after [m]
 constexpr double kGone = 0.4;        // of a patch's depth: farther apart it is not what it was
 constexpr double kMostMisfit = 0.5;  // of undercuts of which enough stand
-constexpr double kSearchStep = 2e-4;  // walls are longer [m]
-constexpr int kMostSteps = 10;        // to either side
 constexpr double kLeastSigma = 1e-6;  // of a patch [m]
 constexpr double kAlike = 2.0;        // neighbouring patches err alike: this many count as one, square root of
 
@@ -35,23 +33,6 @@ std::vector<std::uint8_t> withoutUndercuts(std::vector<std::uint8_t> labels)
   std::replace(labels.begin(), labels.end(), static_cast<std::uint8_t>(WeldLabel::Undercut),
                static_cast<std::uint8_t>(WeldLabel::Base));
   return labels;
-}
-
-/// Facets that come to lie within an extent, or nearer to it than a reach.
-std::vector<Facet> facetsWithin(const SurfaceView& surface, const Eigen::Isometry3d& motion, const GridExtent& extent,
-                                double reach)
-{
-  std::vector<Facet> within;
-  for (const Facet& facet : surface.facets)
-  {
-    const double x = (motion * Eigen::Vector3d(static_cast<double>(surface.grid.x[facet.a]),
-                                               static_cast<double>(surface.grid.y[facet.a]),
-                                               static_cast<double>(surface.grid.z[facet.a])))
-                         .x();
-    if (x > extent.left - reach && x < extent.right + reach)
-      within.push_back(facet);
-  }
-  return within;
 }
 
 /// Scatter about what a shift and a turn that are still to be told make of the distances.
@@ -213,35 +194,6 @@ double UndercutMatch::misfit(const std::vector<SurfaceSample>& after) const
     most += limit;
   }
   return most > 0.0 ? sum / most : 1.0;
-}
-
-Eigen::Isometry3d UndercutMatch::search(const SurfaceView& after, const Eigen::Isometry3d& motion,
-                                        const Eigen::Vector3d& across, double reach) const
-{
-  std::vector<std::uint8_t> mask(grid_.z.size(), 0);
-  want(mask);
-  const PlaceBins bins(grid_, mask);
-  const std::vector<Facet> near =
-      facetsWithin(after, motion, extentOf(grid_, [&mask](std::size_t i) { return mask[i] != 0; }), reach);
-  const SurfaceView surface{ after.grid, near };
-  std::vector<SurfaceSample> samples;
-  double place = 0.0, least = INFINITY;
-  const auto attempt = [&](double shift)
-  {
-    sampleSurface(surface, Eigen::Translation3d(shift * across) * motion, bins, samples);
-    const double misfit = this->misfit(samples);
-    if (misfit < least)
-      least = misfit, place = shift;
-  };
-  const int steps = std::min(kMostSteps, static_cast<int>(std::ceil(reach / kSearchStep)));
-  attempt(0.0);
-  for (int i = 1; i <= steps; ++i)
-    for (const double side : { -1.0, 1.0 })
-      attempt(side * i * kSearchStep);
-  const double coarse = place;
-  for (const double side : { -0.5, 0.5 })
-    attempt(coarse + side * kSearchStep);
-  return Eigen::Translation3d(place * across) * motion;
 }
 
 bool UndercutMatch::standing(const std::vector<SurfaceSample>& after) const

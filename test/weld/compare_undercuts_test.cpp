@@ -111,4 +111,31 @@ TEST(CompareUndercuts, TheBottomOfOneIsEnough)
   EXPECT_TRUE(comparison.aligned.by_undercuts);
   EXPECT_NEAR(offAcross(comparison.aligned, kRefixed, weld), 0.0, 6e-5);
 }
+
+TEST(CompareUndercuts, WithoutThemAPartBesideItsPlaceLooksLikeDeeperGrinding)
+{
+  IdealWeld weld = offsetWeld();
+  weld.undercut = 0.0, weld.yaw = 0.0;
+  const Scan before = IdealScanner()(weld);
+  const double shift = 0.0003, deeper = shift * weld.misalignment / weld.width;
+  const IdealWeld flush = groundFlush(weld);
+  // the disc's plane goes on into the higher plate
+  const auto ground_deeper = [&](double x, double y)
+  {
+    const double disc = weld.misalignment * x / weld.width - deeper;
+    return x > -0.5 * weld.width ? std::min(flush(x, y), disc) : flush(x, y);
+  };
+  const Eigen::Isometry3d beside = motionAbout({ 0.0, 0.006, 0.0 }, { shift, 0.0, 0.0 }, { 0.0, 0.0, 0.0 });
+  const ScanComparer comparer;
+  const ScanComparison moved_part = comparer.compare(before, moved(longerScanner(16)(flush), beside));
+  const ScanComparison ground_part = comparer.compare(before, longerScanner(16)(ground_deeper));
+  const double apart = deeper * weld.width * kLength;
+  EXPECT_NEAR(moved_part.removed_volume.value, removedOf(weld) + apart, 0.1 * apart);
+  EXPECT_NEAR(ground_part.removed_volume.value, moved_part.removed_volume.value, 0.1 * apart);
+  for (const ScanComparison* comparison : { &moved_part, &ground_part })
+  {
+    EXPECT_FALSE(comparison->aligned.across_told);
+    EXPECT_GT(comparison->removed_volume.sigma, apart) << "0.5 mm of placement, and it is said";
+  }
+}
 }  // namespace weld_profiler
