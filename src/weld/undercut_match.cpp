@@ -21,7 +21,7 @@ constexpr std::size_t kFewPoints = 6;                          // less are no pa
 constexpr std::size_t kLeastPatches = 8;
 constexpr double kLeastDepth = 3e-5;  // shallower places may as well be rims or scars [m]
 constexpr double kOfToe = 2e-4;      // nearer to the face the profile is blurred, by another face before than after [m]
-constexpr double kGone = 0.4;        // of a patch's depth: farther apart it is not what it was
+constexpr double kSame = 0.15;       // of a patch's depth: nearer to each other it is what it was
 constexpr double kMostMisfit = 0.5;  // of undercuts of which enough stand
 constexpr double kLeastSigma = 1e-6;  // of a patch [m]
 constexpr double kAlike = 2.0;        // neighbouring patches err alike: this many count as one, square root of
@@ -38,21 +38,25 @@ std::vector<std::uint8_t> withoutUndercuts(std::vector<std::uint8_t> labels)
 /// Scatter about what a shift and a turn that are still to be told make of the distances.
 double scatterOf(const std::vector<MotionObservation>& observations)
 {
-  Eigen::Matrix3d normal = 1e-12 * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero(), step = Eigen::Vector3d::Zero();
-  std::vector<double> residuals(observations.size(), 0.0);
-  for (int i = 0; i < 8; ++i)
+  constexpr int kAbsoluteSteps = 10, kTukeySteps = 5;
+  std::vector<double> residuals;
+  residuals.reserve(observations.size());
+  for (const MotionObservation& one : observations)
+    residuals.push_back(one.distance);
+  for (int i = 0; i < kAbsoluteSteps + kTukeySteps; ++i)
   {
     const double scale = std::max(kLeastSigma, robustSigma(residuals));
-    normal = 1e-12 * Eigen::Matrix3d::Identity(), right.setZero();
+    Eigen::Matrix3d normal = 1e-12 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < observations.size(); ++k)
     {
-      const double weight = i == 0 ? 1.0 : tukey(residuals[k] / scale);
+      const double off = residuals[k] / scale;
+      const double weight = i < kAbsoluteSteps ? 1.0 / std::max(0.1, std::abs(off)) : tukey(off);
       const Eigen::Vector3d& shape = observations[k].shape;
       normal += weight * shape * shape.transpose();
       right -= weight * observations[k].distance * shape;
     }
-    step = normal.ldlt().solve(right);
+    const Eigen::Vector3d step = normal.ldlt().solve(right);
     for (std::size_t k = 0; k < observations.size(); ++k)
       residuals[k] = observations[k].distance + observations[k].shape.dot(step);
   }
@@ -184,12 +188,12 @@ std::vector<MotionObservation> UndercutMatch::observe(const std::vector<SurfaceS
   return observations;
 }
 
-double UndercutMatch::misfit(const std::vector<SurfaceSample>& after) const
+double UndercutMatch::misfit(const std::vector<SurfaceSample>& after, double alike) const
 {
   double sum = 0.0, most = 0.0;
   for (const Patch& patch : patches_)
   {
-    const double limit = square(kGone * patch.depth), off = square(rise(patch, after));
+    const double limit = square(alike * patch.depth), off = square(rise(patch, after));
     sum += off < limit ? off : limit;  // NaN: not seen
     most += limit;
   }
@@ -198,7 +202,7 @@ double UndercutMatch::misfit(const std::vector<SurfaceSample>& after) const
 
 bool UndercutMatch::standing(const std::vector<SurfaceSample>& after) const
 {
-  return misfit(after) < kMostMisfit;
+  return misfit(after, kSame) < kMostMisfit;
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -34,7 +34,8 @@ public:
 
   /// How badly the undercuts fit, as a share of what no undercut at all would: 0 = perfectly, 1 = not at all. Patches
   /// that were ground count as no fit.
-  double misfit(const std::vector<SurfaceSample>& after) const;
+  /// @param alike  share of a patch's depth; those farther apart do not fit.
+  double misfit(const std::vector<SurfaceSample>& after, double alike) const;
 
   /// Whether enough of the undercuts are those of before.
   bool standing(const std::vector<SurfaceSample>& after) const;

@@ -10,6 +10,7 @@ namespace weld
 namespace
 {
 constexpr double kSearchStep = 2e-4;  // walls are longer [m]
+constexpr double kAlike = 0.4;        // of a patch's depth: half a step off
 constexpr int kMostSteps = 10;        // to either side
 
 /// Facets that come to lie within an extent, or nearer to it than a reach.
@@ -44,7 +45,7 @@ Eigen::Isometry3d UndercutMatch::search(const SurfaceView& after, const Eigen::I
   const auto attempt = [&](double shift)
   {
     sampleSurface(surface, Eigen::Translation3d(shift * across) * motion, bins, samples);
-    const double misfit = this->misfit(samples);
+    const double misfit = this->misfit(samples, kAlike);
     if (misfit < least)
       least = misfit, place = shift;
   };

@@ -112,6 +112,23 @@ TEST(CompareUndercuts, TheBottomOfOneIsEnough)
   EXPECT_NEAR(offAcross(comparison.aligned, kRefixed, weld), 0.0, 6e-5);
 }
 
+TEST(CompareUndercuts, OneThatWasLoweredAllOverIsNotFoundElsewhere)
+{
+  const IdealWeld weld = offsetWeld(), flush = groundFlush(weld);
+  for (const double lowered : { 4e-5, 6e-5, 1e-4 })
+  {
+    const auto after = [&](double x, double y)
+    {
+      const double q = std::cos(flush.yaw) * x + std::sin(flush.yaw) * y;
+      return flush(x, y) - (q > 0.0 && q < 0.0055 ? lowered : 0.0);
+    };
+    const ScanComparison comparison =
+        ScanComparer().compare(IdealScanner()(weld), moved(longerScanner(17)(after), kRefixed));
+    EXPECT_FALSE(comparison.aligned.across_told)
+        << lowered << ": " << offAcross(comparison.aligned, kRefixed, weld) << " m off";
+  }
+}
+
 TEST(CompareUndercuts, WithoutThemAPartBesideItsPlaceLooksLikeDeeperGrinding)
 {
   IdealWeld weld = offsetWeld();
