@@ -40,7 +40,8 @@ JsonObject alignedOf(const ScanAlignment& aligned)
   told.add("across", aligned.across_told)
       .add("along", aligned.along_told)
       .add("turn", aligned.turn_told)
-      .add("by_toes", aligned.by_toes);
+      .add("by_toes", aligned.by_toes)
+      .add("by_undercuts", aligned.by_undercuts);
   JsonObject object;
   object.add("shift", numbers(aligned.shift))
       .add("shift_sigma", numbers(sigma.head<3>()))

@@ -135,5 +135,25 @@ MotionStep fitMotion(const std::vector<MotionObservation>& observations, const V
 {
   return Fit(observations, so_far, knowledge)();
 }
+
+Eigen::Isometry3d motionOf(const Vector6d& step, const Eigen::Vector3d& about)
+{
+  const Eigen::Vector3d turn = step.tail<3>();
+  const double angle = turn.norm();
+  const Eigen::Matrix3d rotation =
+      angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.linear() = rotation;
+  motion.translation() = about + step.head<3>() - rotation * about;
+  return motion;
+}
+
+Vector6d stepOf(const Eigen::Isometry3d& motion, const Eigen::Vector3d& about)
+{
+  const Eigen::AngleAxisd turn(motion.linear());
+  Vector6d step;
+  step << motion * about - about, turn.angle() * turn.axis();
+  return step;
+}
 }  // namespace weld
 }  // namespace weld_profiler

@@ -48,5 +48,9 @@ struct MotionStep
 /// @param knowledge  information matrix of the whole motion about none.
 MotionStep fitMotion(const std::vector<MotionObservation>& observations, const Vector6d& so_far,
                      const Matrix6d& knowledge);
+
+/// Shift and rotation vector about a place, and the motion that they make.
+Eigen::Isometry3d motionOf(const Vector6d& step, const Eigen::Vector3d& about);
+Vector6d stepOf(const Eigen::Isometry3d& motion, const Eigen::Vector3d& about);
 }  // namespace weld
 }  // namespace weld_profiler

@@ -43,7 +43,10 @@ private:
     const CompareBins::Bin& bin = bins_.at(row, column);
     // what lay under spatter was not seen: the metal around it tells
     const double unseen = atSpatter(row, column) ? square(kSpatter / kElsewhere) : 0.0;
-    const Eigen::Matrix2d covariance = displacement({ bin.x, bin.y, bin.z }) + unseen * Eigen::Matrix2d::Identity();
+    // bins are squares: a narrow ellipse that runs obliquely through them would miss their middles
+    const double wide = square(bins_.size()) / 12.0;
+    const Eigen::Matrix2d covariance =
+        displacement({ bin.x, bin.y, bin.z }) + (unseen + wide) * Eigen::Matrix2d::Identity();
     const Eigen::Matrix2d inverse = covariance.inverse();
     const int steps = static_cast<int>(kElsewhere * std::sqrt(covariance.trace()) / bins_.size()) + 1;
     std::pair<double, double> range(bin.above + bin.taken, bin.above + bin.taken);

@@ -15,41 +15,24 @@ namespace weld
 namespace
 {
 constexpr int kSteps = 15;
-constexpr double kStill = 2e-9;      // a step is the last when it moves less [m], [rad] over 0.1 m
+constexpr double kStill = 0.01;      // a step is the last when it moves by less [sigmas]
 constexpr int kLeastPatches = 8;     // a side
 constexpr double kLeastShare = 0.1;  // of a side's patches that are seen in both
 constexpr double kLeastFit = 0.5;    // of those, near to each other after the alignment
+constexpr double kSearched = 3.0;    // sigmas of the shift across, within which undercuts are looked for
+constexpr double kCertain = 5e-5;    // of the shift across: no undercuts are needed [m]
 constexpr double kTold = 0.5;        // of what is known beforehand: less certain is not told by any surface
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 const std::array<const char*, 2> kSides = { { "left", "right" } };
 
-std::vector<std::uint8_t> wanted(const AlignTarget& before)
+std::vector<std::uint8_t> wanted(const AlignTarget& before, const UndercutMatch& undercuts)
 {
   std::vector<std::uint8_t> mask(before.grid.z.size(), 0);
   for (const ParentPatch& patch : before.parents.patches)
     for (const std::uint32_t i : patch.points)
       mask[i] = 1;
+  undercuts.want(mask);
   return mask;
-}
-
-Eigen::Isometry3d motionOf(const Vector6d& step, const Eigen::Vector3d& about)
-{
-  const Eigen::Vector3d turn = step.tail<3>();
-  const double angle = turn.norm();
-  const Eigen::Matrix3d rotation =
-      angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = rotation;
-  motion.translation() = about + step.head<3>() - rotation * about;
-  return motion;
-}
-
-Vector6d stepOf(const Eigen::Isometry3d& motion, const Eigen::Vector3d& about)
-{
-  const Eigen::AngleAxisd turn(motion.linear());
-  Vector6d step;
-  step << motion * about - about, turn.angle() * turn.axis();
-  return step;
 }
 
 template <class... Parts>
@@ -59,13 +42,13 @@ template <class... Parts>
 }
 }  // namespace
 
-ScanAligner::ScanAligner(const AlignTarget& before, const SurfaceView& after, const ToeMatch& toes,
+ScanAligner::ScanAligner(const AlignTarget& before, const SurfaceView& after, const StandingMarks& marks,
                          const CompareParams& params)
   : before_(before),
     after_(after),
-    toes_(toes),
+    marks_(marks),
     params_(params),
-    bins_(before.grid, wanted(before)),
+    bins_(before.grid, wanted(before, marks.undercuts)),
     up_((before.parents.normals[0] + before.parents.normals[1]).normalized())
 {
 }
@@ -104,9 +87,14 @@ std::vector<MotionObservation> ScanAligner::observe(const Eigen::Isometry3d& mot
     observations.push_back(one);
     used_.push_back(i);
   }
-  const std::vector<MotionObservation> toes = toes_.observe(motion, before_.about);
-  by_toes_ = !toes.empty();
-  observations.insert(observations.end(), toes.begin(), toes.end());
+  const auto add = [&observations](const std::vector<MotionObservation>& more)
+  {
+    observations.insert(observations.end(), more.begin(), more.end());
+    return !more.empty();
+  };
+  by_toes_ = add(marks_.toes.observe(motion, before_.about));
+  if (by_undercuts_)
+    add(marks_.undercuts.observe(samples_, before_.about));
   return observations;
 }
 
@@ -157,13 +145,14 @@ void ScanAligner::requireMatch(const MotionStep& step) const
 
 void ScanAligner::tell(ScanAlignment& aligned) const
 {
-  const Eigen::Vector3d across = before_.along.cross(up_).normalized(), along = up_.cross(across);
+  const Eigen::Vector3d across = this->across(), along = up_.cross(across);
   const auto sigma = [&aligned](int first, const Eigen::Vector3d& direction)
   { return std::sqrt(direction.dot(aligned.covariance.block<3, 3>(first, first) * direction)); };
   aligned.across_told = sigma(0, across) < kTold * params_.placement;
   aligned.along_told = sigma(0, along) < kTold * params_.placement;
   aligned.turn_told = sigma(3, up_) < kTold * params_.placement_turn_deg * kDegree;
   aligned.by_toes = by_toes_;
+  aligned.by_undercuts = by_undercuts_;
 }
 
 void ScanAligner::measureNoise(const MotionStep& step)
@@ -195,10 +184,9 @@ void ScanAligner::measureNoise(const MotionStep& step)
   noise_.alike = std::max(1.0, square(mean / single));
 }
 
-ScanAlignment ScanAligner::align()
+ScanAligner::Laid ScanAligner::lay(Eigen::Isometry3d motion)
 {
   const Matrix6d known = knowledge();
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   MotionStep step;
   for (int i = 0; i < kSteps; ++i)
   {
@@ -207,19 +195,42 @@ ScanAlignment ScanAligner::align()
     step = fitMotion(observations, stepOf(motion, before_.about), known);
     motion = motionOf(step.motion, before_.about) * motion;
     requireNear(stepOf(motion, before_.about));
-    if (step.motion.head<3>().norm() + 0.1 * step.motion.tail<3>().norm() < kStill)
+    if (step.motion.dot(step.covariance.ldlt().solve(step.motion)) < square(kStill))
       break;
   }
+  return { motion, step };
+}
+
+/// Where parents and toes leave the shift across uncertain. Walls are matched only when near to each other, so where
+/// they are is looked for first.
+ScanAligner::Laid ScanAligner::layByUndercuts(const Laid& without)
+{
+  const double sigma = std::sqrt(across().dot(without.last.covariance.topLeftCorner<3, 3>() * across()));
+  if (marks_.undercuts.empty() || sigma < kCertain)
+    return without;
+  const Eigen::Isometry3d found = marks_.undercuts.search(after_, without.motion, across(), kSearched * sigma);
+  by_undercuts_ = true;
+  Laid laid = lay(found);
+  if (marks_.undercuts.standing(samples_))
+    return laid;
+  by_undercuts_ = false;
+  return lay(without.motion);
+}
+
+ScanAlignment ScanAligner::align()
+{
+  const Laid laid = layByUndercuts(lay(Eigen::Isometry3d::Identity()));
+  const MotionStep& step = laid.last;
   requireMatch(step);
   measureNoise(step);
   ScanAlignment aligned;
   aligned.about = before_.about;
-  const Vector6d whole = stepOf(motion, before_.about);
+  const Vector6d whole = stepOf(laid.motion, before_.about);
   aligned.shift = whole.head<3>();
   aligned.rotation = whole.tail<3>();
   aligned.covariance = step.covariance;
   aligned.residual = step.rms;
-  aligned.before_T_after = motion;
+  aligned.before_T_after = laid.motion;
   tell(aligned);
   return aligned;
 }

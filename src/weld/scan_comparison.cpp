@@ -100,13 +100,15 @@ private:
     const Parents parents = findParents(grid_, path_, { maps_.labels, distance_, scans_.reach, halfWidth() });
     const WeldResult bead_after = measurer_.measure(after);
     const ToeMatch toes(result_, path_, bead_after);
+    const UndercutMatch undercuts(grid_, maps_, path_, parents);
+    const StandingMarks marks{ toes, undercuts };
     const WeldPathPoint& middle = result_.path[result_.path.size() / 2];
     const Eigen::Vector2d along = path_.along(middle.s);
     const AlignTarget target{
       grid_, parents, { middle.x, middle.y, heightNear(middle) }, { along.x(), along.y(), 0.0 }
     };
     const SurfaceView surface{ after_grid, facets };
-    ScanAligner aligner(target, surface, toes, params_);
+    ScanAligner aligner(target, surface, marks, params_);
     scans_.aligned = aligner.align();
     scans_.noise = aligner.noise();
     sampleSurface(surface, scans_.aligned.before_T_after, PlaceBins(grid_, {}), scans_.after);
@@ -140,6 +142,8 @@ private:
     note(told(comparison.aligned, params_));
     if (comparison.aligned.by_toes)
       note("the toes were left standing and tell how the scans lie across the weld");
+    if (comparison.aligned.by_undercuts)
+      note("the undercuts were left standing and tell how the scans lie along the plates");
     if (areas.share < kWholeShare)
       note(said(100.0 * (1.0 - areas.share), " % of the weld and its surroundings is missing in the scan after: the ",
                 "volumes are those of the rest"));

@@ -21,11 +21,12 @@ struct ScanAlignment
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();     ///< [m]
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector [rad]
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< of shift and rotation
-  double residual = 0.0;     ///< RMS distance of the parents' patches after it, without those that were ground [m]
-  bool across_told = false;  ///< surfaces tell the shift across the weld; else it is taken as the scans lie
-  bool along_told = false;   ///< and the shift along it
-  bool turn_told = false;    ///< and the turn in the plates' plane
-  bool by_toes = false;      ///< the toes that were left standing took part
+  double residual = 0.0;      ///< RMS distance of the parents' patches after it, without those that were ground [m]
+  bool across_told = false;   ///< surfaces tell the shift across the weld; else it is taken as the scans lie
+  bool along_told = false;    ///< and the shift along it
+  bool turn_told = false;     ///< and the turn in the plates' plane
+  bool by_toes = false;       ///< the toes that were left standing took part
+  bool by_undercuts = false;  ///< and the undercuts
   Eigen::Isometry3d before_T_after = Eigen::Isometry3d::Identity();
 };
 
