@@ -18,6 +18,7 @@ namespace
 constexpr double kRoughStep = 3.5e-4;    // between the sections that path and strays are found with [m]
 constexpr double kNearlyAll = 0.9;       // of the sections: when fewer were measured it is said
 constexpr double kLeastStanding = 0.04;  // of the sections must show a bead beyond doubt
+constexpr double kLargeSpot = 1e-3;      // [m]
 constexpr int kFewRows = 60;             // so few are all looked at
 constexpr double kLeastScore = 0.3;      // of a kind, else the weld is of none
 
@@ -27,6 +28,13 @@ std::vector<SectionShape> shapesOf(const SeamSections& sections)
   for (std::size_t k = 0; k < sections.size(); ++k)
     shapes.push_back(sections.shape(k));
   return shapes;
+}
+
+/// Whether spots are so large that they drag along the median of the sections, which they are held against.
+bool isCrowded(const Strays& strays)
+{
+  return std::any_of(strays.spots.begin(), strays.spots.end(),
+                     [](const WeldSpot& spot) { return spot.diameter.value > kLargeSpot; });
 }
 
 void add(std::string& reason, const std::string& more)
@@ -89,6 +97,8 @@ void Measuring::measureRoughly()
   const double step = grid_.rows < kFewRows ? 0.0 : kRoughStep;
   rough.measureRoughly(sectionPlaces(*found_.path, std::max(step, params_.section_step)));
   strays_ = findStrays(grid_, sampler, SeamSurface(rough));
+  if (isCrowded(strays_))
+    strays_ = findStrays(grid_, sampler, SeamSurface(rough, sampler, strays_.masked));
   path_ = std::make_unique<WeldPath>(refinedPath(rough));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "known_bead.h"
 #include "statistics.h"
 
 namespace weld_profiler
@@ -22,14 +23,46 @@ constexpr double kLeastParent = 3e-5;      // [m]
 constexpr double kAlong = 6e-4;            // by which a sloping surface may be met elsewhere along the weld [m]
 constexpr std::size_t kAlongSections = 3;  // its slope is taken from section to section so many off
 constexpr double kLevel = 0.1;             // ripples make slopes up to this
-constexpr double kTaper = 0.15;            // of a bead's usual height: where it is lower by more it is ending
-constexpr double kLeastTaper = 1e-4;       // ... and by more than this [m]
-constexpr double kAround = 8e-3;           // sections this near tell what is usual [m]
 constexpr double kBeyond = 3e-4;           // of the last section, that is still told from it [m]
 }  // namespace
 
 SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zones_(sections)
 {
+  std::vector<float> rises = prepare();
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    sampleSection(k, sections.profile(k), rises);
+  fillMedians(rises, kReach);
+  findKnown(rises);
+}
+
+SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sampler,
+                         const std::vector<std::uint8_t>& without)
+  : sections_(sections), zones_(sections)
+{
+  std::vector<float> rises = prepare();
+  std::vector<float> clean = rises;
+  SectionProfile profile;
+  for (std::size_t k = 0; k < sections.size(); ++k)
+  {
+    sampleSection(k, sections.profile(k), rises);
+    sampler.sample(sections.places()[k], without, profile);
+    sampleSection(k, profile, clean);
+  }
+  fillMedians(clean, kReach);
+  // between two spots something is left further off; where nothing is there was more than a spot
+  const std::vector<float> near = std::move(medians_);
+  fillMedians(clean, 2.0 * kReach);
+  const std::vector<float> far = std::move(medians_);
+  fillMedians(rises, kReach);
+  for (std::size_t i = 0; i < near.size(); ++i)
+    medians_[i] = std::isfinite(near[i]) ? near[i] : std::isfinite(far[i]) ? far[i] : medians_[i];
+  findKnown(clean);
+}
+
+/// The stack's measures, and room for its heights.
+std::vector<float> SeamSurface::prepare()
+{
+  const SeamSections& sections = sections_;
   std::vector<double> widths, scatters;
   for (std::size_t k = 0; k < sections.size(); ++k)
   {
@@ -44,39 +77,19 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   parent_tolerance_ = std::max(kLeastParent, std::isfinite(scatter) ? kSigmas * scatter : 0.0);
   inside_ = std::isfinite(width) ? std::max(4, static_cast<int>(std::lround(width / kBin))) : 4;
   bins_ = inside_ + 1 + 2 * kOutside;
-  std::vector<float> rises(sections.size() * static_cast<std::size_t>(bins_), std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t k = 0; k < sections.size(); ++k)
-    sampleSection(k, rises);
-  fillMedians(rises);
-  findKnown(rises);
+  return std::vector<float>(sections.size() * static_cast<std::size_t>(bins_), std::numeric_limits<float>::quiet_NaN());
 }
 
-/// Where toes were found and the bead is about as high as around there, it is known. Where it is lower it is ending.
+/// Each section's own height, not the median's: at an end that is taken from one side.
 void SeamSurface::findKnown(const std::vector<float>& sampled)
 {
-  const std::vector<double>& places = sections_.places();
   std::vector<double> levels;
   for (std::size_t k = 0; k < sections_.size(); ++k)
   {
-    // its own, not the median's: at an end that is taken from one side
     const auto face = sampled.begin() + static_cast<std::ptrdiff_t>(k) * bins_ + kOutside;
     levels.push_back(median(std::vector<double>(face, face + inside_ + 1)));
   }
-  known_.assign(sections_.size(), 0);
-  for (std::size_t k = 0; k < sections_.size(); ++k)
-  {
-    std::vector<double> around;
-    bool whole = false;
-    for (std::size_t j = 0; j < sections_.size(); ++j)
-    {
-      const double apart = std::abs(places[j] - places[k]);
-      if (sections_.shape(j).whole() && apart < kAround)
-        around.push_back(levels[j]);
-      whole = whole || (sections_.shape(j).whole() && apart < kReach);
-    }
-    const double usual = median(std::move(around));
-    known_[k] = whole && levels[k] > usual - std::max(kTaper * std::abs(usual), kLeastTaper) ? 1 : 0;
-  }
+  known_ = knownBead(sections_, levels);
 }
 
 double SeamSurface::binOf(std::size_t k, double q) const
@@ -109,11 +122,10 @@ double SeamSurface::placeOf(std::size_t k, int bin) const
   return left + (right - left) * (bin - kOutside) / inside_;
 }
 
-void SeamSurface::sampleSection(std::size_t k, std::vector<float>& rises) const
+void SeamSurface::sampleSection(std::size_t k, const SectionProfile& profile, std::vector<float>& rises) const
 {
   if (!std::isfinite(placeOf(k, 0) + placeOf(k, bins_ - 1)))
     return;
-  const SectionProfile& profile = sections_.profile(k);
   std::size_t after = 0;
   for (int bin = 0; bin < bins_; ++bin)
   {
@@ -129,19 +141,20 @@ void SeamSurface::sampleSection(std::size_t k, std::vector<float>& rises) const
   }
 }
 
-void SeamSurface::fillMedians(const std::vector<float>& rises)
+void SeamSurface::fillMedians(const std::vector<float>& rises, double reach)
 {
   const auto columns = static_cast<std::size_t>(bins_);
   const std::vector<double>& places = sections_.places();
+  tolerances_.clear();
   medians_.assign(rises.size(), std::numeric_limits<float>::quiet_NaN());
   std::vector<std::vector<double>> departures(columns);
   std::vector<double> near;
   for (std::size_t k = 0; k < places.size(); ++k)
   {
     const auto begin =
-        static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), places[k] - kReach) - places.begin());
+        static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), places[k] - reach) - places.begin());
     const auto end =
-        static_cast<std::size_t>(std::upper_bound(places.begin(), places.end(), places[k] + kReach) - places.begin());
+        static_cast<std::size_t>(std::upper_bound(places.begin(), places.end(), places[k] + reach) - places.begin());
     const std::size_t stride = (end - begin + kMost - 1) / kMost;
     for (std::size_t bin = 0; bin < columns; ++bin)
     {

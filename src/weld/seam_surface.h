@@ -17,6 +17,9 @@ public:
   /// @param sections  must outlive the surface.
   explicit SeamSurface(const SeamSections& sections);
 
+  /// @param without  points of the grid that are known to be no part of the surface: they do not drag its median along.
+  SeamSurface(const SeamSections& sections, const SectionSampler& sampler, const std::vector<std::uint8_t>& without);
+
   std::size_t nearestSection(double s) const { return zones_.nearestSection(s); }
   bool onFace(std::size_t k, double q) const { return zones_.zone(k, q) == Zone::Weld; }
   double yaw(std::size_t k) const { return sections_.profile(k).place.yaw; }
@@ -36,8 +39,9 @@ private:
   double binOf(std::size_t k, double q) const;
   double placeOf(std::size_t k, int bin) const;
   double rise(std::size_t k, double bin) const;
-  void sampleSection(std::size_t k, std::vector<float>& rises) const;
-  void fillMedians(const std::vector<float>& rises);
+  std::vector<float> prepare();
+  void sampleSection(std::size_t k, const SectionProfile& profile, std::vector<float>& rises) const;
+  void fillMedians(const std::vector<float>& rises, double reach);
   void findKnown(const std::vector<float>& sampled);
 
   const SeamSections& sections_;

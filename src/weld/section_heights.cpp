@@ -12,6 +12,8 @@ namespace weld
 namespace
 {
 constexpr std::size_t kFewest = 5;  // points in a fit
+constexpr std::size_t kCourse = 8;  // nodes that tell how the face goes on into a break
+constexpr double kHidden = 2.0;     // sigmas by which it may rise higher there before it is said
 
 std::size_t firstFrom(const SectionProfile& profile, double q)
 {
@@ -57,6 +59,29 @@ bool fitNode(const SectionProfile& profile, std::size_t begin, std::size_t end, 
   node.sigma = std::sqrt(energy * c00 / det);
   return true;
 }
+/// The straight course of the nodes `from` to `to`, which lead up to a break.
+Line courseOf(const std::vector<HeightNode>& nodes, std::size_t from, std::size_t to)
+{
+  double n = 0.0, q = 0.0, z = 0.0;
+  for (std::size_t i = from; i < to; ++i)
+    n += 1.0, q += nodes[i].q, z += nodes[i].z;
+  double qq = 0.0, qz = 0.0;
+  for (std::size_t i = from; i < to; ++i)
+    qq += square(nodes[i].q - q / n), qz += (nodes[i].q - q / n) * nodes[i].z;
+  const double slope = qq > 0.0 ? qz / qq : 0.0;
+  return Line{ z / n - slope * q / n, slope };
+}
+
+/// Height above the line of where both sides' courses meet in the break behind node i: a face that bulges stays below.
+double mayRiseTo(const std::vector<HeightNode>& nodes, std::size_t i, const Line& line)
+{
+  const std::size_t count = nodes.size();
+  const Line before = courseOf(nodes, i + 1 - std::min(i + 1, kCourse), i + 1);
+  const Line after = courseOf(nodes, i + 1, std::min(count, i + 1 + kCourse));
+  const double q = (after.height - before.height) / (before.slope - after.slope);
+  const bool inside = q > nodes[i].q && q < nodes[i + 1].q;
+  return inside ? line.above(q, before.at(q)) : -INFINITY;
+}
 }  // namespace
 
 std::vector<HeightNode> localHeights(const SectionProfile& profile, const HeightSpan& span)
@@ -85,6 +110,40 @@ std::vector<HeightNode> localHeights(const SectionProfile& profile, const Height
       nodes.push_back(node);
   }
   return nodes;
+}
+
+Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step)
+{
+  std::size_t best = nodes.size();
+  double top = -INFINITY;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const double above = line.above(nodes[i].q, nodes[i].z);
+    if (!(above > top))
+      continue;
+    top = above;
+    best = i;
+  }
+  if (best == nodes.size())
+    return Quantity();
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+  {
+    if (nodes[i + 1].q - nodes[i].q < 1.5 * step)
+      continue;
+    const bool beside = i == best || i + 1 == best;
+    if (beside || mayRiseTo(nodes, i, line) > top + kHidden * nodes[best].sigma)
+      return Quantity();
+  }
+  // between nodes the surface bends as the fit says
+  if (best > 0 && best + 1 < nodes.size())
+  {
+    const double before = line.above(nodes[best - 1].q, nodes[best - 1].z);
+    const double after = line.above(nodes[best + 1].q, nodes[best + 1].z);
+    const double bend = before - 2.0 * top + after;
+    if (bend < 0.0)
+      top -= square(after - before) / (8.0 * bend);
+  }
+  return Quantity{ top, nodes[best].sigma };
 }
 
 double longestGap(const SectionProfile& profile, double from, double to)

@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "line.h"
 #include "section_sampler.h"
+#include "weld_profiler/weld/quantity.h"
 
 namespace weld_profiler
 {
@@ -28,6 +30,11 @@ struct HeightSpan
 
 /// Local fits from `from` to `to`. Places in a break, or with less than five points around, have no node.
 std::vector<HeightNode> localHeights(const SectionProfile& profile, const HeightSpan& span);
+
+/// Largest distance of the nodes above a line. Not measured where it lies beside a break, or where the face may rise
+/// higher in one: where the courses of both sides meet.
+/// @param step  between nodes where there is no break [m].
+Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step);
 
 /// Longest break between neighbouring points in [from, to], its ends included [m].
 double longestGap(const SectionProfile& profile, double from, double to);

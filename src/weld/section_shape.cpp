@@ -36,38 +36,6 @@ SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const Par
   return point;
 }
 
-/// Largest distance of the face above a line; not measured beside a break.
-/// @param step  between nodes where there is no break [m].
-Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step)
-{
-  std::size_t best = nodes.size();
-  double top = -INFINITY;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    const double above = line.above(nodes[i].q, nodes[i].z);
-    if (!(above > top))
-      continue;
-    top = above;
-    best = i;
-  }
-  if (best == nodes.size())
-    return Quantity();
-  const bool break_before = best > 0 && nodes[best].q - nodes[best - 1].q > 1.5 * step;
-  const bool break_after = best + 1 < nodes.size() && nodes[best + 1].q - nodes[best].q > 1.5 * step;
-  if (break_before || break_after)
-    return Quantity();
-  // between nodes the surface bends as the fit says
-  if (best > 0 && best + 1 < nodes.size())
-  {
-    const double before = line.above(nodes[best - 1].q, nodes[best - 1].z);
-    const double after = line.above(nodes[best + 1].q, nodes[best + 1].z);
-    const double bend = before - 2.0 * top + after;
-    if (bend < 0.0)
-      top -= square(after - before) / (8.0 * bend);
-  }
-  return Quantity{ top, nodes[best].sigma };
-}
-
 /// Nodes clear of both toes, where the kinks' blur lifts or lowers the face.
 std::vector<HeightNode> clearOfToes(const std::vector<HeightNode>& nodes, const SectionShape& shape)
 {

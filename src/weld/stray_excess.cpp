@@ -13,14 +13,15 @@ namespace weld
 {
 namespace
 {
-constexpr double kBeside = 1.5e-3;    // neighbours across the weld are taken from this far on either side [m]
-constexpr int kNeighbours = 7;        // on either side
-constexpr std::size_t kFewest = 7;    // of them
-constexpr double kSigmas = 5.0;       // of what points depart from their neighbours
-constexpr double kNothing = 1e-5;     // a smaller departure is none, whatever is tolerated [m]
-constexpr float kLeast = 6e-5F;       // [m]
-constexpr std::size_t kSampled = 97;  // every so many points tell the scatter
-constexpr double kFoot = 0.4;         // of a tolerance: what departs by less is of no stray's foot
+constexpr double kBeside = 1.5e-3;      // neighbours across the weld are taken from this far on either side [m]
+constexpr int kNeighbours = 7;          // on either side
+constexpr std::size_t kFewest = 7;      // of them
+constexpr double kSigmas = 5.0;         // of what points depart from their neighbours
+constexpr double kNothing = 1e-5;       // a smaller departure is none, whatever is tolerated [m]
+constexpr float kLeast = 6e-5F;         // [m]
+constexpr float kBeyondRipples = 3.0F;  // of what departs by more than so many tolerances the neighbours are not asked
+constexpr std::size_t kSampled = 97;    // every so many points tell the scatter
+constexpr double kFoot = 0.4;           // of a tolerance: what departs by less is of no stray's foot
 
 class ExcessFinder
 {
@@ -123,7 +124,8 @@ private:
     const double tolerance = std::max(static_cast<double>(kLeast), kSigmas * scatter);
     for (std::size_t i = 0; i < grid_.z.size(); ++i)
     {
-      if (std::abs(result_.height[i]) < kLeast || !onFace(i))
+      const bool beyond = std::abs(result_.tolerances[i]) > kBeyondRipples;
+      if (std::abs(result_.height[i]) < kLeast || beyond || !onFace(i))
         continue;
       const Neighbours near = neighbours(i);
       if (!near.enough())

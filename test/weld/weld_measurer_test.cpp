@@ -98,6 +98,28 @@ TEST(WeldMeasurer, TellsHowUncertainAFlatFilletsHeightIsByTheToeFarFromThePlate)
   EXPECT_GT(section.height_right.sigma, 0.95 * section.toe_left.x.sigma / tilt);
 }
 
+TEST(WeldMeasurer, TellsNoHeightWhereTheCrestIsMissingInAPore)
+{
+  const IdealWeld weld;
+  const auto surface = [&weld](double x, double y)
+  {
+    const double deep = 1.0 - Eigen::Vector2d(x - 0.0002, y - 0.006).squaredNorm() / (0.0009 * 0.0009);
+    return weld(x, y) - 0.0004 * std::sqrt(std::max(0.0, deep));
+  };
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+  ASSERT_EQ(result.spots.size(), 1u);
+  EXPECT_EQ(result.spots.front().kind, WeldSpot::Kind::Pore);
+  int told = 0, hidden = 0;
+  for (const WeldSection& section : result.sections)
+  {
+    const Quantity& height = section.reinforcement;
+    ++(height.measured() ? told : hidden);
+    EXPECT_TRUE(!height.measured() || std::abs(height.value - 0.0015) < 4.0 * height.sigma) << height.value;
+  }
+  EXPECT_GT(told, 45);
+  EXPECT_GE(hidden, 6) << "the pore is eight rows long";
+}
+
 TEST(WeldMeasurer, FindsAnObliquePathAndCutsAcrossIt)
 {
   IdealWeld weld;
