@@ -110,7 +110,9 @@ def removal(folder):
     target = record.record("settings").content.get("target")
     target = target if isinstance(target, str) else ""
     words = {"flush": "flush with the parents", "rest": "a rest above the parents"}.get(target, target or "not stated")
-    line = tag("p", "To be removed: ", tag("b", with_uncertainty(value, sigma, "mm³")), ". Target: %s." % words)
+    length = 1e3 * record.number("volume_length")
+    along = " over %.1f mm of weld" % length if math.isfinite(length) else ""
+    line = tag("p", "To be removed: ", tag("b", with_uncertainty(value, sigma, "mm³")), "%s. Target: %s." % (along, words))
     if folder.cloud is None or not folder.cloud.has("removal"):
         return html.join(line, tag("p", "No map: the points carry no removal."))
     wide = plan.Plan(folder.grid).wide()

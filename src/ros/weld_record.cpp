@@ -187,6 +187,7 @@ JsonObject weldRecord(const Scan& scan, const WeldEvaluation& evaluation, const 
       .add("length", json(result.length))
       .add("volume", json(result.volume))
       .add("removal_volume", json(result.removal_volume))
+      .add("volume_length", result.volume_length)
       .add("ripple_pitch", json(result.ripple_pitch))
       .add("ripple_height", json(result.ripple_height))
       .add("statistics", statisticsOf(result))

@@ -203,6 +203,10 @@ void Measuring::sayWhatIsMissing(WeldResult& result) const
   else if (static_cast<double>(told) < kNearlyAll * static_cast<double>(all))
     add(result.reason, std::to_string(all - told) + " of " + std::to_string(all) +
                            " sections could not be measured: a toe is hidden, too flat or not in view there");
+  const double seen = all > 1 ? result.sections.back().s - result.sections.front().s : 0.0;
+  if (told > 0 && result.volume_length < kNearlyAll * seen)
+    add(result.reason,
+        numbers("the volumes are of ", 1e3 * result.volume_length, " mm of weld, ", 1e3 * seen, " mm were seen"));
 }
 
 WeldResult Measuring::operator()()

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ripples.h"
-#include "seam_maps.h"
+#include "seam_volumes.h"
 #include "section_heights.h"
 #include "statistics.h"
 
@@ -14,81 +14,11 @@ namespace weld
 {
 namespace
 {
-constexpr double kSigmas = 3.0;     // a bead rises by at least so many
-constexpr double kErrAlike = 5e-3;  // sections nearer than this share their parents' error [m]
-constexpr double kBridge = 2.5;     // median steps between two sections that an integral goes on over
+constexpr double kSigmas = 3.0;  // a bead rises by at least so many
 
 bool rises(const Quantity& height)
 {
   return height.measured() && height.value > kSigmas * height.sigma;
-}
-
-/// Area of a section above the target [m^2].
-double areaAboveTarget(const SectionProfile& profile, const SectionShape& shape, const WeldParams& params)
-{
-  const Line chord = shape.chord();
-  const double rest = restAbove(chord, params);
-  double area = 0.0, last_q = shape.toe_left.q, last_above = 0.0;
-  for (std::size_t i = 0; i < profile.size(); ++i)
-  {
-    const double q = profile.q[i];
-    if (q <= last_q || q >= shape.toe_right.q)
-      continue;
-    const double above = std::max(0.0, profile.z[i] - chord.at(q) - rest);
-    area += 0.5 * (above + last_above) * (q - last_q);
-    last_q = q, last_above = above;
-  }
-  return area + 0.5 * last_above * (shape.toe_right.q - last_q);
-}
-
-/// Length of weld that each section stands for; nothing is added for breaks [m].
-std::vector<double> lengthsOf(const std::vector<double>& s, const std::vector<bool>& measured)
-{
-  std::vector<double> steps, lengths(s.size(), 0.0);
-  for (std::size_t k = 1; k < s.size(); ++k)
-    steps.push_back(s[k] - s[k - 1]);
-  const double step = median(steps);
-  std::size_t last = s.size();
-  for (std::size_t k = 0; k < s.size(); ++k)
-  {
-    if (!measured[k])
-      continue;
-    const bool joined = last < s.size() && s[k] - s[last] < kBridge * step;
-    const double half = joined ? 0.5 * (s[k] - s[last]) : 0.5 * step;
-    lengths[k] += half;
-    if (joined)
-      lengths[last] += half;
-    else if (last < s.size())
-      lengths[last] += 0.5 * step;
-    last = k;
-  }
-  if (last < s.size())
-    lengths[last] += 0.5 * step;
-  return lengths;
-}
-
-void fillVolumes(const SeamSections& sections, const WeldParams& params, WeldResult& result)
-{
-  std::vector<bool> measured;
-  for (const WeldSection& section : result.sections)
-    measured.push_back(section.area.measured());
-  const std::vector<double> lengths = lengthsOf(sections.places(), measured);
-  double volume = 0.0, removal = 0.0, length = 0.0;
-  std::vector<double> sigmas;
-  for (std::size_t k = 0; k < lengths.size(); ++k)
-  {
-    if (!measured[k] || !std::isfinite(lengths[k]))
-      continue;
-    volume += result.sections[k].area.value * lengths[k];
-    removal += areaAboveTarget(sections.profile(k), sections.shape(k), params) * lengths[k];
-    length += lengths[k];
-    sigmas.push_back(result.sections[k].area.sigma);
-  }
-  if (sigmas.empty())
-    return;
-  const double sigma = median(sigmas) * length / std::sqrt(std::max(1.0, length / kErrAlike));
-  result.volume = Quantity{ volume, sigma };
-  result.removal_volume = Quantity{ removal, sigma };
 }
 
 void fillRipples(const SeamSections& sections, WeldResult& result)

@@ -35,6 +35,7 @@ namespace
 {
 using Rule = LevelLimit::Rule;
 
+constexpr double kOfSeen = 0.7;     // of the length over which a weld was seen it has to be measured
 constexpr double kRounding = 1e-9;  // of lengths [m]
 
 std::vector<double> positions(const std::vector<WeldSection>& sections)
@@ -69,11 +70,12 @@ bool lone(const CellWeights& cells)
 }
 }  // namespace
 
-VerdictRows::VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections)
+VerdictRows::VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections, double seen)
   : judge_(judge), kind_(kind), sections_(sections), cells_(cellsOf(positions(sections)))
 {
   if (!cells_.empty())
     length_ = cells_.back().end - cells_.front().begin;
+  needed_ = judge.params().min_measured_share * std::max(length_, kOfSeen * seen) - kRounding;
 }
 
 std::vector<Place> VerdictRows::places(const SizeSeries& series, const LimitEntry* entry, QualityLevel level) const
@@ -184,7 +186,7 @@ VerdictRow VerdictRows::row(const std::vector<SizeSeries>& all, Imperfection imp
   result.length = 0.0;
   for (const Place& place : medians)
     result.length += place.margin.value < 0.0 ? cells_[place.cell].end - cells_[place.cell].begin : 0.0;
-  if (result.decision == Decision::Pass && result.measured < judge_.params().min_measured_share * length_ - kRounding)
+  if (result.decision == Decision::Pass && result.measured < needed_)
     result.decision = Decision::Undecided;
   if (result.rule == Rule::Short)
     judgeLength(all, medians, result);

@@ -27,8 +27,9 @@ class VerdictRows
 {
 public:
   /// @param sections  of the weld from its first bead to its last, s rising. Must outlive the object, as judge must.
+  /// @param seen      length over which the weld was seen, measured or not [m].
   /// @throws PreconditionError if s does not rise.
-  VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections);
+  VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections, double seen);
 
   /// B, C, D. @param decides  false = it was not asked for: measured, not judged.
   std::vector<VerdictRow> rows(Imperfection imperfection, bool decides) const;
@@ -38,6 +39,9 @@ public:
 
   /// Of the weld, its gaps counted [m].
   double length() const { return length_; }
+
+  /// On less a size cannot pass [m].
+  double needed() const { return needed_; }
 
 private:
   VerdictRow row(const std::vector<SizeSeries>& all, Imperfection imperfection, QualityLevel level) const;
@@ -50,5 +54,6 @@ private:
   const std::vector<WeldSection>& sections_;
   std::vector<Stretch> cells_;
   double length_ = 0.0;
+  double needed_ = 0.0;
 };
 }  // namespace weld_profiler

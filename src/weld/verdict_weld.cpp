@@ -90,7 +90,14 @@ void noteLength(const WeldVerdict& verdict, std::vector<std::string>& notes)
   notes.push_back(text.str());
 }
 
-void noteRows(const WeldJudge& judge, const WeldVerdict& verdict, std::vector<std::string>& notes)
+/// From the first section to the last, whatever was measured of them [m].
+double seenLength(const std::vector<WeldSection>& sections)
+{
+  return sections.size() < 2 ? 0.0 : sections.back().s - sections.front().s;
+}
+
+void noteRows(const WeldJudge& judge, const VerdictRows& made, const WeldVerdict& verdict,
+              std::vector<std::string>& notes)
 {
   std::vector<std::string> unverified;
   std::vector<std::string> holes;
@@ -102,7 +109,7 @@ void noteRows(const WeldJudge& judge, const WeldVerdict& verdict, std::vector<st
       unverified.push_back(name(row.imperfection));
     if (row.decision == Decision::NotMeasured)
       notes.push_back(std::string(name(row.imperfection)) + " was not measured");
-    else if (row.measured < judge.params().min_measured_share * verdict.length)
+    else if (row.measured < made.needed())
       holes.push_back(name(row.imperfection));
   }
   if (!holes.empty())
@@ -149,7 +156,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
     result.notes.emplace_back("no weld was measured: there is nothing to judge");
     return result;
   }
-  const VerdictRows rows(*this, weld.kind, sections);
+  const VerdictRows rows(*this, weld.kind, sections, seenLength(*weld.sections));
   result.length = rows.length();
   std::vector<VerdictPart> parts;
   for (const Imperfection imperfection : imperfections())
@@ -167,7 +174,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
   result.waiting = waitingOf(*this, weld.kind, sections);
   noteThickness(*this, result.notes);
   noteLength(result, result.notes);
-  noteRows(*this, result, result.notes);
+  noteRows(*this, rows, result, result.notes);
   if (result.waiting.sections > 0)
     result.notes.push_back(result.waiting.text());
   return result;

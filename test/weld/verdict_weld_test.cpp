@@ -130,3 +130,27 @@ TEST(WeldVerdict, JudgesAnUnfilledGrooveThoughSectionsDoNot)
     section.incomplete_fill = {};
   EXPECT_EQ(judged(sections, plate(4.0)).verdict, "B") << "a verdict does not wait for it";
 }
+
+TEST(WeldVerdict, PassesNothingOfAWeldOfWhichOneSectionInManyWasMeasured)
+{
+  std::vector<WeldSection> sections = goodWeld(0.05);
+  const auto hide = [&sections](double from, double to)
+  {
+    for (WeldSection& section : sections)
+    {
+      const double s = section.s;
+      if (s < from || s > to)
+        continue;
+      section = WeldSection();
+      section.s = s;
+    }
+  };
+  hide(0.0, 0.012);
+  EXPECT_EQ(judged(sections, plate(4.0)).verdict, "B") << "a crater of a quarter";
+  hide(0.0, 0.030);
+  const WeldVerdict verdict = judged(sections, plate(4.0));
+  EXPECT_EQ(verdict.verdict, "undecided");
+  EXPECT_EQ(rowOf(verdict, Imperfection::ExcessWeldMetal, QualityLevel::D).decision, Decision::Undecided);
+  ASSERT_FALSE(verdict.notes.empty());
+  EXPECT_NE(verdict.notes.front().find("less than the least share of the weld"), std::string::npos);
+}

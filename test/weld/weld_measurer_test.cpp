@@ -98,28 +98,6 @@ TEST(WeldMeasurer, TellsHowUncertainAFlatFilletsHeightIsByTheToeFarFromThePlate)
   EXPECT_GT(section.height_right.sigma, 0.95 * section.toe_left.x.sigma / tilt);
 }
 
-TEST(WeldMeasurer, TellsNoHeightWhereTheCrestIsMissingInAPore)
-{
-  const IdealWeld weld;
-  const auto surface = [&weld](double x, double y)
-  {
-    const double deep = 1.0 - Eigen::Vector2d(x - 0.0002, y - 0.006).squaredNorm() / (0.0009 * 0.0009);
-    return weld(x, y) - 0.0004 * std::sqrt(std::max(0.0, deep));
-  };
-  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
-  ASSERT_EQ(result.spots.size(), 1u);
-  EXPECT_EQ(result.spots.front().kind, WeldSpot::Kind::Pore);
-  int told = 0, hidden = 0;
-  for (const WeldSection& section : result.sections)
-  {
-    const Quantity& height = section.reinforcement;
-    ++(height.measured() ? told : hidden);
-    EXPECT_TRUE(!height.measured() || std::abs(height.value - 0.0015) < 4.0 * height.sigma) << height.value;
-  }
-  EXPECT_GT(told, 45);
-  EXPECT_GE(hidden, 6) << "the pore is eight rows long";
-}
-
 TEST(WeldMeasurer, FindsAnObliquePathAndCutsAcrossIt)
 {
   IdealWeld weld;
@@ -142,38 +120,6 @@ TEST(WeldMeasurer, TellsRipples)
   EXPECT_NEAR(result.ripple_pitch.value, 0.0012, 2e-5);
   EXPECT_NEAR(result.ripple_height.value, 1e-4, 1e-5);
   EXPECT_FALSE(WeldMeasurer().measure(scanner(IdealWeld())).ripple_pitch.measured()) << "a smooth bead has none";
-}
-
-TEST(WeldMeasurer, NamesSpatterAndMeasuresBesideIt)
-{
-  const IdealWeld weld;
-  const auto surface = [&weld](double x, double y)
-  {
-    double z = weld(x, y);
-    for (const Eigen::Vector2d& ball : { Eigen::Vector2d(0.001, 0.006), Eigen::Vector2d(0.010, 0.004) })
-    {
-      const double rest = 2.5e-7 - (Eigen::Vector2d(x, y) - ball).squaredNorm();
-      z += rest > 0.0 ? std::sqrt(rest) : 0.0;
-    }
-    return z;
-  };
-  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
-  ASSERT_EQ(result.spots.size(), 2u);
-  for (const WeldSpot& spot : result.spots)
-  {
-    EXPECT_EQ(spot.kind, WeldSpot::Kind::Spatter);
-    EXPECT_NEAR(spot.diameter.value, 0.001, 2e-4);
-    EXPECT_NEAR(spot.height.value, 5e-4, 5e-5);
-  }
-  EXPECT_NEAR(result.spots[0].x, 0.010, 2e-4);
-  for (const WeldSection& section : result.sections)
-  {
-    ASSERT_TRUE(section.hasBead());
-    if (section.reinforcement.measured())
-    {
-      EXPECT_NEAR(section.reinforcement.value, 0.0015, 1.5e-5) << "spatter is no reinforcement, row " << section.row;
-    }
-  }
 }
 
 TEST(WeldMeasurer, MeasuresOneRowProvisionally)

@@ -66,6 +66,7 @@ struct WeldResult
   double measured_share = 0.0;  ///< of the sections, with a width
   Quantity volume;              ///< between face and chord, over the measured sections [m^3]
   Quantity removal_volume;      ///< above the target, without spatter, over the measured sections [m^3]
+  double volume_length = 0.0;   ///< of weld that both volumes are of [m]
   Quantity ripple_pitch;        ///< NaN = no ripples beyond doubt [m]
   Quantity ripple_height;       ///< crest to trough [m]
   std::vector<SectionStatistics> statistics;
