@@ -11,9 +11,10 @@ namespace weld
 {
 namespace
 {
-constexpr std::size_t kFewest = 5;  // points in a fit
-constexpr std::size_t kCourse = 8;  // nodes that tell how the face goes on into a break
-constexpr double kHidden = 2.0;     // sigmas by which it may rise higher there before it is said
+constexpr std::size_t kFewest = 5;     // points in a fit
+constexpr double kCourse = 8;          // nodes that tell how the face goes on into a break ...
+constexpr double kFewestOfCourse = 3;  // ... and at least
+constexpr double kHidden = 2.0;        // sigmas by which it may rise higher there before it is said
 
 std::size_t firstFrom(const SectionProfile& profile, double q)
 {
@@ -59,25 +60,34 @@ bool fitNode(const SectionProfile& profile, std::size_t begin, std::size_t end, 
   node.sigma = std::sqrt(energy * c00 / det);
   return true;
 }
-/// The straight course of the nodes `from` to `to`, which lead up to a break.
-Line courseOf(const std::vector<HeightNode>& nodes, std::size_t from, std::size_t to)
+/// The straight course of the nodes from `begin` on, which lead up to a break, in one direction, as far as they are
+/// seen without another; invalid of too few.
+Line courseOf(const std::vector<HeightNode>& nodes, std::size_t begin, int direction, double step)
 {
-  double n = 0.0, q = 0.0, z = 0.0;
-  for (std::size_t i = from; i < to; ++i)
-    n += 1.0, q += nodes[i].q, z += nodes[i].z;
-  double qq = 0.0, qz = 0.0;
-  for (std::size_t i = from; i < to; ++i)
-    qq += square(nodes[i].q - q / n), qz += (nodes[i].q - q / n) * nodes[i].z;
-  const double slope = qq > 0.0 ? qz / qq : 0.0;
-  return Line{ z / n - slope * q / n, slope };
+  double n = 0.0, q = 0.0, z = 0.0, qq = 0.0, qz = 0.0;
+  for (std::size_t i = begin; i < nodes.size() && n < kCourse; i += static_cast<std::size_t>(direction))
+  {
+    if (i != begin && std::abs(nodes[i].q - nodes[i - static_cast<std::size_t>(direction)].q) > 1.5 * step)
+      break;
+    const double d = nodes[i].q - nodes[begin].q, rise = nodes[i].z - nodes[begin].z;
+    n += 1.0, q += d, z += rise, qq += d * d, qz += d * rise;
+  }
+  const double spread = qq - q * q / n;
+  if (n < kFewestOfCourse || !(spread > 0.0))
+    return Line();
+  const double slope = (qz - q * z / n) / spread;
+  const double height = nodes[begin].z + z / n - slope * (nodes[begin].q + q / n);
+  return Line{ height, slope };
 }
 
 /// Height above the line of where both sides' courses meet in the break behind node i: a face that bulges stays below.
-double mayRiseTo(const std::vector<HeightNode>& nodes, std::size_t i, const Line& line)
+/// Infinite where a side is not seen.
+double mayRiseTo(const std::vector<HeightNode>& nodes, std::size_t i, const Line& line, double step)
 {
-  const std::size_t count = nodes.size();
-  const Line before = courseOf(nodes, i + 1 - std::min(i + 1, kCourse), i + 1);
-  const Line after = courseOf(nodes, i + 1, std::min(count, i + 1 + kCourse));
+  const Line before = courseOf(nodes, i, -1, step);
+  const Line after = courseOf(nodes, i + 1, 1, step);
+  if (!before.valid() || !after.valid())
+    return INFINITY;
   const double q = (after.height - before.height) / (before.slope - after.slope);
   const bool inside = q > nodes[i].q && q < nodes[i + 1].q;
   return inside ? line.above(q, before.at(q)) : -INFINITY;
@@ -131,7 +141,7 @@ Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, do
     if (nodes[i + 1].q - nodes[i].q < 1.5 * step)
       continue;
     const bool beside = i == best || i + 1 == best;
-    if (beside || mayRiseTo(nodes, i, line) > top + kHidden * nodes[best].sigma)
+    if (beside || mayRiseTo(nodes, i, line, step) > top + kHidden * nodes[best].sigma)
       return Quantity();
   }
   // between nodes the surface bends as the fit says

@@ -15,11 +15,20 @@ namespace
 constexpr double kHalfWindow = 1.1e-4;  // of the local fits [m]
 constexpr double kStep = 2.5e-5;        // between them [m]
 constexpr double kEdge = 3e-4;          // without points this near outside the toe nothing is said of an undercut [m]
-constexpr double kSure = 3.0;           // sigmas of a depth that is beyond doubt
-constexpr double kRim = 0.1;            // of the depth: the groove ends where it is shallower
-constexpr double kGrooveBlur = 5e-5;    // 1-sigma of what stripe and fit blur a groove by [m]
+constexpr double kSeen = 1e-4;        // nodes further apart than one and a half of these have a break between them [m]
+constexpr double kSure = 3.0;         // sigmas of a depth that is beyond doubt
+constexpr double kRim = 0.1;          // of the depth: the groove ends where it is shallower
+constexpr double kGrooveBlur = 5e-5;  // 1-sigma of what stripe and fit blur a groove by [m]
 constexpr double kUsualBlunt = 1.5e-5;  // by which this makes a groove of usual width shallower [m]
 constexpr double kSlopeBlur = 1.5e-6;   // what the blur of kinks leaves beside a toe [m]
+/// Whether a groove's bottom may lie where too few points were seen.
+bool deeperInABreak(const std::vector<HeightNode>& nodes, const Line& line)
+{
+  std::vector<HeightNode> turned = nodes;
+  for (HeightNode& node : turned)
+    node.z = -node.z;
+  return !largestAbove(turned, Line{ -line.height, -line.slope }, kSeen).measured();
+}
 }  // namespace
 
 Undercut measureUndercut(const SectionProfile& profile, const SectionShape& shape, Side side, const WeldParams& params)
@@ -50,6 +59,8 @@ Undercut measureUndercut(const SectionProfile& profile, const SectionShape& shap
     bend = nodes[i].bend;
     at = i;
   }
+  if (at < nodes.size() && deeperInABreak(nodes, parent.line))
+    return result;
   if (at == nodes.size() || std::min(std::abs(nodes.front().q - toe.q), std::abs(nodes.back().q - toe.q)) > kEdge)
     return result;
   result.depth.value = deepest;
@@ -60,6 +71,9 @@ Undercut measureUndercut(const SectionProfile& profile, const SectionShape& shap
       std::sqrt(square(nodes[at].sigma) + square(parent.sigmaAt(nodes[at].q)) + square(kSlopeBlur) + square(blunt));
   if (deepest < kSure * result.depth.sigma)
     return result;
+  // a groove that goes on where no more was seen
+  if (at == 0 || at + 1 == nodes.size())
+    return Undercut();
   for (const HeightNode& node : nodes)
   {
     if (-parent.line.above(node.q, node.z) > std::max(kRim * deepest, 2.0 * result.depth.sigma))

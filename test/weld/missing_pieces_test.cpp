@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <random>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -88,4 +92,32 @@ TEST(MissingPieces, NamesSpatterAndMeasuresBesideIt)
       EXPECT_NEAR(section.reinforcement.value, 0.0015, 1.5e-5) << "spatter is no reinforcement, row " << section.row;
     }
   }
+}
+
+TEST(MissingPieces, TellsNoUndercutWhoseBottomMayLieInAHole)
+{
+  IdealWeld weld;
+  weld.undercut = 0.0004;
+  Scan scan = IdealScanner()(weld);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> chance;
+  for (Profile& row : scan.rows)
+  {
+    std::vector<CloudPoint> left;
+    std::copy_if(row.points.begin(), row.points.end(), std::back_inserter(left),
+                 [&](const CloudPoint& /*point*/) { return chance(random) > 0.65; });
+    row.points = left;
+  }
+  const WeldResult result = WeldMeasurer().measure(scan);
+  ASSERT_TRUE(result.hasWeld()) << result.reason;
+  EXPECT_GT(result.measured_share, 0.9);
+  int told = 0;
+  for (const WeldSection& section : result.sections)
+  {
+    const Quantity& depth = section.undercut_right;
+    told += depth.measured() ? 1 : 0;
+    EXPECT_TRUE(!depth.measured() || std::abs(depth.value - 0.0004) < 5.0 * depth.sigma)
+        << depth.value << " +- " << depth.sigma;
+  }
+  EXPECT_LT(told, 30) << "most bottoms are not seen";
 }
