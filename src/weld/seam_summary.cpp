@@ -106,6 +106,12 @@ bool standsOut(const WeldSection& section)
 
 void refuseDoubtful(const WeldParams& params, WeldSection& section)
 {
+  // plates nearly in line meet nowhere in particular
+  for (Quantity WeldSection::*size : { &WeldSection::leg_left, &WeldSection::leg_right, &WeldSection::throat })
+  {
+    if (!((section.*size).sigma <= params.max_width_sigma))
+      section.*size = Quantity();
+  }
   if (!section.hasBead() || (section.width.sigma <= params.max_width_sigma && standsOut(section)))
     return;
   const WeldSection doubtful = section;
@@ -124,8 +130,21 @@ void refuseDoubtful(const WeldParams& params, WeldSection& section)
   section.angle = doubtful.angle;
 }
 
+namespace
+{
+/// Where no section shows its bead, what lies beside it may not be the parents.
+void dropUnfounded(std::vector<WeldSection>& sections)
+{
+  if (std::any_of(sections.begin(), sections.end(), [](const WeldSection& section) { return section.hasBead(); }))
+    return;
+  for (WeldSection& section : sections)
+    section.misalignment = section.angle = Quantity();
+}
+}  // namespace
+
 void summarise(const SeamSections& sections, const WeldParams& params, WeldResult& result)
 {
+  dropUnfounded(result.sections);
   int measured = 0;
   double first = kNaN, last = kNaN;
   for (const WeldSection& section : result.sections)

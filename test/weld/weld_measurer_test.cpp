@@ -215,6 +215,16 @@ TEST(WeldMeasurer, SaysThatTheParentsDoNotLieAsInTheKindThatIsAskedFor)
   }
 }
 
+TEST(WeldMeasurer, TellsNoLegsOfPlatesThatMeetNowhere)
+{
+  WeldParams params;
+  params.kind = "fillet";
+  const WeldResult result = WeldMeasurer(params).measure(IdealScanner()(IdealWeld()));
+  ASSERT_EQ(result.sections.size(), 60u);
+  for (const WeldSection& section : result.sections)
+    EXPECT_FALSE(section.leg_left.measured() || section.leg_right.measured() || section.throat.measured());
+}
+
 TEST(WeldMeasurer, RefusesACellOutsideTheScan)
 {
   Scan scan = IdealScanner()(IdealWeld());
