@@ -176,9 +176,10 @@ int report(const BagScanResult& result, const Options& options)
 
 WeldTask weldTask(const Options& options, const WeldSettings& settings)
 {
-  return WeldTask{
-    settings, { options.weld_id, calibrationRecord(resolveUrl(options.calibration)) }, !options.no_report, options.out
-  };
+  return WeldTask{ WeldEvaluator(settings),
+                   { options.weld_id, calibrationRecord(resolveUrl(options.calibration)) },
+                   !options.no_report,
+                   options.out };
 }
 
 int scan(const Options& options)
@@ -187,10 +188,10 @@ int scan(const Options& options)
   requireWeldId(options.weld_id);
   WeldServerParams weld;
   const BagScanParams params = bagScanParams(options, weld);
+  const WeldTask task = weldTask(options, weld.settings);  // reads what it needs before the bag is read
   const BagScanResult result = scanBag(params);
   makeOutputDirectory(options.out);
   StagedOutput output;
-  const WeldTask task = weldTask(options, weld.settings);
   const std::string settings = yamlOf(params.stripe) + yamlOf(params.chain);
   writeScans(result, Origin{ options.weld_id, "", task.info.calibration.hash, settings }, options.out, output);
   writeSummaryFile(summaryOf(result, params, task.info), options.out, output);

@@ -57,7 +57,6 @@ std::string outcome(const WeldEvaluation& evaluation)
 
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
 {
-  const WeldEvaluator evaluator(task.settings);
   for (std::size_t i = 0; i < scans.size(); ++i)
   {
     std::string directory = task.directory;
@@ -66,8 +65,8 @@ void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
       directory = (std::filesystem::path(directory) / ("scan_" + std::to_string(i + 1))).string();
       makeOutputDirectory(directory);
     }
-    const WeldEvaluation evaluation = evaluator.evaluate(scans[i]);
-    writeWeldFiles(scans[i], evaluation, task.settings, task.info, directory);
+    const WeldEvaluation evaluation = task.evaluator.evaluate(scans[i]);
+    writeWeldFiles(scans[i], evaluation, task.evaluator.settings(), task.info, directory);
     if (task.report)
       writeReport(directory);
     std::cerr << "weld " << (scans.size() > 1 ? std::to_string(i + 1) + " " : "") << "in " << directory << ": "

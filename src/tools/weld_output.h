@@ -11,7 +11,7 @@ namespace weld_profiler
 /// How scans are measured, and where that goes.
 struct WeldTask
 {
-  WeldSettings settings;
+  WeldEvaluator evaluator;
   WeldRecordInfo info;
   bool report = true;
   std::string directory;  ///< exists; a second scan gets a folder scan_2 in it

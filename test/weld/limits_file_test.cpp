@@ -132,8 +132,8 @@ TEST(LimitsFile, IsRefusedByKeyAndValueWithARemedy)
       { replaced(good, "share: 0.25", "share: 25"), "short.share is 25", "must be in" },
       { replaced(good, "share: 0.25", "part: 0.25"), "short.part", "must be one of" },
       { std::string(kHead), "entries", "add" },
-      { std::string(kHead) + "entries: []\n", "entries", "list" },
-      { std::string(kHead) + "entries: {a: 1}\n", "entries", "list" },
+      { std::string(kHead) + "entries: []\n", "entries is empty", "one limit or more" },
+      { std::string(kHead) + "entries: {a: 1}\n", "entries is no list", "list" },
       { std::string(kHead) + "entries: [1]\n", "entries[0]", "must hold" },
   });
 }
@@ -147,7 +147,7 @@ TEST(LimitsFile, IsRefusedForAnEntryThatSaysTooLittle)
       { replaced(good, "iso: 5011", "so: 5011"), "entries[0].so", "must be one of" },
       { replaced(good, "[butt]", "[but]"), "entries[0].kinds is 'but'", "must be one of" },
       { replaced(good, "[butt]", "butt"), "entries[0].kinds", "must be a list" },
-      { replaced(good, "[butt]", "[]"), "entries[0].kinds", "must be a list" },
+      { replaced(good, "[butt]", "[]"), "entries[0].kinds is empty", "must be a list" },
       { table(entry(kGood, ", above_mm: -1")), "entries[0].above_mm is -1", "must be in" },
       { table(entry(kGood, ", from_mm: .nan")), "entries[0].from_mm is nan", "must be in" },
       { table(entry(kGood, ", from_mm: 3, to_mm: 2")), "entries[0].to_mm is 2", "must not be less" },
