@@ -140,11 +140,14 @@ TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOne)
   EXPECT_EQ(record()["verdict"]["height_limits"].size(), 0u);
 }
 
-TEST_F(WeldFiles, AnIdIsOneLine)
+TEST_F(WeldFiles, AnIdIsOneLineOfUtf8)
 {
   const Scan scan = IdealScanner()(IdealWeld());
   EXPECT_THROW(write(scan, "two\nlines"), ConfigError);
   EXPECT_THROW(write(scan, std::string(101, 'x')), ConfigError);
+  for (const char* id : { "N\xe4ht", "N\xc3", "\xc0\xafy", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82" })
+    EXPECT_THROW(write(scan, id), ConfigError) << "no UTF-8";
+  EXPECT_NO_THROW(requireWeldId("N\xc3\xa4ht \xe2\x82\xac \xf0\x9f\x94\xa5"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing was written";
 }
 }  // namespace weld_profiler

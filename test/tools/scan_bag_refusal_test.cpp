@@ -98,6 +98,9 @@ TEST_F(ScanBagRefuses, BadParametersAndPlaces)
   refuses(kCalibration + "--params params.yaml --out out weld.bag", { "nowhere.yaml" });
   write("params.yaml", "weld_measurement: {thickness: -1}\n");
   refuses(kCalibration + "--params params.yaml --out out weld.bag", { "thickness", "-1" });
+  refuses(kCalibration + "--weld-id N\xe4ht --out out weld.bag", { "id is no UTF-8" });
+  write("params.yaml", "weld_measurement: {limits_file: \"N\xe4ht.yaml\"}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "params.yaml", "no UTF-8" });
   refuses(kCalibration + "--max-drop 2 --out out weld.bag", { "max-drop" });
   refuses(kCalibration + "--motion tf --out out weld.bag", { "fixed_frame" });
   refuses(kCalibration + "--out /dev/null/out weld.bag", { "/dev/null" });
