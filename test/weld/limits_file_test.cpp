@@ -179,6 +179,19 @@ TEST(LimitsFile, IsRefusedForALevelThatCannotBe)
   });
 }
 
+TEST(LimitsFile, IsRefusedForALevelThatIsShortWhereTheBetterIsNot)
+{
+  const auto levels = [](const std::string& text) { return table(entry(text)); };
+  expectRefused({
+      { levels("B: {base_mm: 0.39}, C: {base_mm: 0.4, short: true}, D: permitted"),
+        "entries[0].B allows any length, C only short ones", "short: true" },
+      { levels("B: not_permitted, C: {factor: 0.1, of: t}, D: {factor: 0.2, of: t, short: true}"),
+        "entries[0].C allows any length, D only short ones", "short: true" },
+  });
+  EXPECT_EQ(errorOf(levels("B: {base_mm: 0.3, short: true}, C: {base_mm: 0.4, short: true}, D: {base_mm: 0.5}")), "");
+  EXPECT_EQ(errorOf(levels("B: {base_mm: 0}, C: {base_mm: 0.4, short: true}, D: permitted")), "") << "B allows nothing";
+}
+
 TEST(LimitsFile, IsRefusedForAnEntryThatFitsNoWeld)
 {
   const std::string good = table(entry(kGood));
