@@ -128,14 +128,20 @@ TEST_F(WeldFiles, WeldJsonCountsTheSectionsThatWaitForWhatSpatterHides)
   EXPECT_EQ(undecided, waiting);
 }
 
-TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOne)
+TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOneAndNoReport)
 {
   write(IdealScanner()(IdealWeld()));
+  std::ofstream(folder_.file("report.html")) << "of the earlier one";
+  std::ofstream(folder_.file("report.png")) << "of the earlier one";
+  std::ofstream(folder_.file("notes.txt")) << "somebody's";
   ASSERT_TRUE(std::filesystem::exists(folder_.file("bead.ply")));
   const auto plate = [](double, double) { return 0.0; };
   EXPECT_EQ(write(IdealScanner()(plate)).size(), 6u);
   EXPECT_FALSE(std::filesystem::exists(folder_.file("bead.ply")));
   EXPECT_FALSE(std::filesystem::exists(folder_.file("target.ply")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("report.html")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("report.png")));
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("notes.txt")));
   EXPECT_EQ(record()["kind"].as<std::string>(), "none");
   EXPECT_EQ(record()["verdict"]["height_limits"].size(), 0u);
 }
