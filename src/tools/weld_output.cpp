@@ -5,7 +5,9 @@
 #include <iostream>
 #include <sstream>
 
+#include "tools/run_command.h"
 #include "tools/staged_output.h"
+#include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
 {
@@ -53,6 +55,20 @@ std::string outcome(const WeldEvaluation& evaluation)
     text += "; " + evaluation.verdict.waiting.text();
   return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
 }
+
+/// Who interrupts at a terminal interrupts the report program too: then it is no fault of the report.
+void drawReport(const std::string& directory)
+{
+  try
+  {
+    writeReport(directory);
+  }
+  catch (const InputError&)
+  {
+    throwIfInterrupted();
+    throw;
+  }
+}
 }  // namespace
 
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
@@ -65,10 +81,13 @@ void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
       directory = (std::filesystem::path(directory) / ("scan_" + std::to_string(i + 1))).string();
       makeOutputDirectory(directory);
     }
+    throwIfInterrupted();
     const WeldEvaluation evaluation = task.evaluator.evaluate(scans[i]);
     writeWeldFiles(scans[i], evaluation, task.evaluator.settings(), task.info, directory);
+    throwIfInterrupted();
     if (task.report)
-      writeReport(directory);
+      drawReport(directory);
+    throwIfInterrupted();
     std::cerr << "weld " << (scans.size() > 1 ? std::to_string(i + 1) + " " : "") << "in " << directory << ": "
               << outcome(evaluation) << "\n";
   }

@@ -18,6 +18,6 @@ struct WeldTask
 };
 
 /// Measures scans, writes their files and says on standard error what each shows.
-/// @throws InputError naming path and cause.
+/// @throws InputError naming path and cause; Interrupted, with whole files of what was done so far.
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task);
 }  // namespace weld_profiler
