@@ -69,7 +69,8 @@ DatasetFolder::DatasetFolder(const std::string& directory, const DatasetPlan& pl
   if (fs::exists(settings))
   {
     if (contentOf(settings) != settingsOf(plan))
-      throw InputError(settings.string() + ": the data set there has another --seed or --validation, or is of another " +
+      throw InputError(settings.string() +
+                       ": the data set there has another --seed or --validation, or is of another " +
                        "version; give the same, or another --out");
     refuseForeign();
   }

@@ -102,8 +102,8 @@ void writeScans(const BagScanResult& result, const Origin& origin, const std::fi
   }
 }
 
-/// What an earlier run left and this one does not write: clouds, the folders of further welds, and all that was measured
-/// of the welds. Beside this summary it would be taken for this scan's.
+/// What an earlier run left and this one does not write: clouds, the folders of further welds, and all that was
+/// measured of the welds. Beside this summary it would be taken for this scan's.
 void removeStale(std::size_t scans, const std::filesystem::path& directory)
 {
   removeWeldFiles(directory.string());

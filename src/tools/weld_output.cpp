@@ -53,6 +53,8 @@ std::string outcome(const WeldEvaluation& evaluation)
     text += " (rests on limits that were not verified)";
   if (evaluation.verdict.waiting.sections > 0)
     text += "; " + evaluation.verdict.waiting.text();
+  if (!evaluation.plan.reason.empty())
+    text += "; grinding: " + evaluation.plan.reason;
   return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
 }
 

@@ -128,6 +128,27 @@ TEST_F(WeldFiles, WeldJsonCountsTheSectionsThatWaitForWhatSpatterHides)
   EXPECT_EQ(undecided, waiting);
 }
 
+TEST_F(WeldFiles, WeldJsonSaysWhyThereIsNothingToGrind)
+{
+  const Scan scan = IdealScanner()(IdealWeld());
+  write(scan);
+  EXPECT_GT(record()["grinding_passes"].as<int>(), 0);
+  EXPECT_EQ(record()["grinding_reason"].as<std::string>(), "");
+  settings_.grinding.surface.edge_inset = 5e-3;
+  write(scan);
+  EXPECT_EQ(record()["grinding_passes"].as<int>(), 0);
+  EXPECT_NE(record()["grinding_reason"].as<std::string>().find("edge_inset 5 mm leaves nothing of the bead"),
+            std::string::npos);
+  settings_.grinding.surface.edge_inset = 0.0;
+  settings_.measuring.target = "rest";
+  settings_.measuring.rest_height = 5e-3;
+  write(scan);
+  EXPECT_EQ(record()["grinding_passes"].as<int>(), 0);
+  EXPECT_NE(record()["grinding_reason"].as<std::string>().find("nothing stands more than min_removal"),
+            std::string::npos)
+      << record()["grinding_reason"];
+}
+
 TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOneAndNoReport)
 {
   write(IdealScanner()(IdealWeld()));

@@ -191,7 +191,8 @@ TEST_F(ScanBag, InterruptedWhileTheReportIsDrawnSaysNoMore)
     write("interrupt.sh", "set -m\n" WELD_PROFILER_COMMANDS "/scan_bag " + kCalibration +
                               "--out scan weld.bag 2> errors &\npid=$!\n"
                               "until [ -e scan/passes.csv ] || ! kill -0 $pid; do sleep 0.02; done\n"
-                              "kill -INT -- " + who + "\nwait $pid\n");
+                              "kill -INT -- " +
+                              who + "\nwait $pid\n");
     const int status = std::system(("cd " + path("") + " && bash interrupt.sh > /dev/null 2>&1").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 130) << who << ": " << text("errors");
     EXPECT_EQ(text("errors").find("Traceback"), std::string::npos) << text("errors");

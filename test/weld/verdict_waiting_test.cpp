@@ -110,7 +110,9 @@ TEST(WeldVerdict, CountsTheSectionsThatWaitAndForWhat)
   const WeldVerdict verdict = judged(sections, plate(4.0));
   EXPECT_EQ(verdict.waiting.sections, 9);
   EXPECT_EQ(verdict.waiting.all, 200);
-  const std::map<std::string, int> expected = { { "undercut left", 8 }, { "undercut right", 2 }, { "misalignment", 1 } };
+  const std::map<std::string, int> expected = { { "undercut left", 8 },
+                                                { "undercut right", 2 },
+                                                { "misalignment", 1 } };
   EXPECT_EQ(verdict.waiting.for_what, expected);
   EXPECT_TRUE(noted(verdict,
                     "9 of 200 sections wait for what was not measured there: misalignment 1, undercut left 8, "
