@@ -2,7 +2,8 @@
 """Writes the report of a measured weld: DIR/report.html (one file, for screen and A4) and DIR/report.png (one page).
 
 DIR is a folder as docs/weld-files.md describes it; docs/report.md says what the report shows. Both files appear, or
-neither. Exit status: 0 written, 1 bad input (one line says file, cause and remedy), 2 usage.
+neither. Exit status: 0 written, 1 bad input (one line says file, cause and remedy), 2 usage,
+130 interrupted.
 """
 import argparse
 import sys
@@ -31,4 +32,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)

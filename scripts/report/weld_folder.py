@@ -23,6 +23,7 @@ class WeldFolder:
         self.sections = self._table("weld.csv", ["row"])
         self.verdict = self._table("verdict.csv", ["imperfection", "level", "decision"])
         self.spots = self._table("spots.csv", ["kind"])
+        self._refuse_mixed()
         self.gauge = read_gauge(gauge_path) if gauge_path else None
         self._read_points()
 
@@ -36,6 +37,27 @@ class WeldFolder:
         if self.has_weld():
             self.missing.append(name)
         return empty_table(path)
+
+    def _refuse_mixed(self):
+        """Tables that are missing, cut short or of another measurement than weld.json."""
+        count = self.record.number("sections")
+        if self.has_weld() and count > 0:
+            for table, name in ((self.sections, "weld.csv"), (self.verdict, "verdict.csv")):
+                if len(table) == 0:
+                    raise ReportError("%s: %s, weld.json tells of %d sections: %s"
+                                      % (table.path, "is missing" if name in self.missing else "has no line", count, MEASURE))
+            if len(self.sections) != count:
+                raise ReportError("%s: holds %d sections, weld.json tells of %d: %s"
+                                  % (self.sections.path, len(self.sections), count, MEASURE))
+        traced = {"weld_id": self.record.text("id").replace(",", ";").replace('"', "'").strip(),
+                  "calibration_hash": self.record.record("calibration").text("hash"),
+                  "settings_hash": self.record.text("settings_hash")}
+        for table in (self.sections, self.verdict, self.spots):
+            for name, value in traced.items():
+                for other in table.texts(name) if table.has(name) else []:
+                    if other != value:
+                        raise ReportError("%s: is of another measurement than weld.json: %s is '%.40s', there '%.40s': %s"
+                                          % (table.path, name, other, value, MEASURE))
 
     def _read_points(self):
         self.cloud = self.grid = self.heights = None

@@ -4,6 +4,7 @@
 
 #include "weld_profiler/core/checksum.h"
 #include "weld_profiler/core/errors.h"
+#include "weld_profiler/core/utf8.h"
 
 namespace weld_profiler
 {
@@ -49,6 +50,8 @@ void requireWeldId(const std::string& id)
 {
   if (std::any_of(id.begin(), id.end(), [](unsigned char letter) { return letter < 32 || letter == 127; }))
     throw ConfigError("the weld's id holds a line break, a tab or another control character, must be one line of text");
+  if (!isUtf8(id))
+    throw ConfigError("the weld's id is no UTF-8 text, must be: the files that bear it are");
   if (id.size() > kLongestId)
     throw ConfigError("the weld's id has " + std::to_string(id.size()) + " characters, must have at most " +
                       std::to_string(kLongestId));

@@ -16,6 +16,8 @@ namespace
 const char* const kWeldReport = "package://weld_profiler/scripts/weld_report.py";
 const char* const kCompareReport = "package://weld_profiler/scripts/compare_report.py";
 
+constexpr int kInterrupted = 130;
+
 /// For a shell: in single quotes, those inside closed, escaped and opened again.
 std::string quoted(const std::string& word)
 {
@@ -37,6 +39,8 @@ std::vector<std::string> runProgram(const char* program, const std::string& dire
   while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr)
     said += buffer.data();
   const int status = ::pclose(pipe);
+  if (status != -1 && (WIFSIGNALED(status) || WEXITSTATUS(status) == kInterrupted))
+    throw InputError("no report of " + directory + ": interrupted");
   if (status == -1 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw InputError("no report of " + directory + ": " + said.substr(0, said.find('\n')));
   std::vector<std::string> files;

@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "weld_profiler/core/errors.h"
+#include "weld_profiler/ros/origin.h"
 
 namespace weld_profiler
 {
@@ -16,6 +17,7 @@ constexpr double kLeastTravel = 1e-4;     // the stage has begun to move [m]
 void requireId(const std::string& id)
 {
   static const std::regex kName("[A-Za-z0-9_][A-Za-z0-9._-]{0,63}");
+  requireWeldId(id);  // first: what is no text cannot be shown
   if (!id.empty() && !std::regex_match(id, kName))
     throw ConfigError("weld_id is '" + id + "', must be up to 64 letters, digits and . _ -, no . or - first");
 }

@@ -72,11 +72,21 @@ void writeSpots(const std::vector<WeldSpot>& spots, std::ostream& out)
 }
 }  // namespace
 
+void removeWeldFiles(const std::string& directory)
+{
+  std::error_code ignored;  // who writes there next says what is wrong with the place
+  for (const char* name : { "weld.json", "weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd", "bead.ply",
+                            "target.ply", "passes.csv", "report.html", "report.png" })
+    if (!fs::is_directory(fs::path(directory) / name, ignored))
+      fs::remove(fs::path(directory) / name, ignored);
+}
+
 std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& evaluation,
                                         const WeldSettings& settings, const WeldRecordInfo& info,
                                         const std::string& directory)
 {
   requireWeldId(info.weld_id);
+  removeWeldFiles(directory);
   const Origin origin{ info.weld_id, scan.frame_id, info.calibration.hash, settingsText(settings) };
   const auto path = [&](const char* name) { return (fs::path(directory) / name).string(); };
   std::vector<std::string> files;
@@ -101,8 +111,6 @@ std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& 
   saveLabelledScan(scan, ScanLabels{ evaluation.result.labels, evaluation.result.removal }, files.back(), comments);
   const auto mesh = [&](const char* name, const TriangleMesh& surface)
   {
-    std::error_code ignored;
-    fs::remove(path(name), ignored);  // an earlier run's would be taken for this one's
     if (!surface.empty())
       text(name, [&](std::ostream& out) { writePly(surface, out, comments); });
   };

@@ -188,6 +188,8 @@ JsonObject weldRecord(const Scan& scan, const WeldEvaluation& evaluation, const 
       .add("volume", json(result.volume))
       .add("removal_volume", json(result.removal_volume))
       .add("volume_length", result.volume_length)
+      .add("grinding_passes", static_cast<std::uint64_t>(evaluation.plan.passes.size()))
+      .add("grinding_reason", evaluation.plan.reason)
       .add("ripple_pitch", json(result.ripple_pitch))
       .add("ripple_height", json(result.ripple_height))
       .add("statistics", statisticsOf(result))

@@ -6,26 +6,35 @@
 #include <sstream>
 
 #include "weld_profiler/core/atomic_file.h"
+#include "weld_profiler/core/utf8.h"
 
 namespace weld_profiler
 {
 namespace
 {
+/// JSON is UTF-8 (RFC 8259): what is none, as in a path of another encoding, becomes U+FFFD.
 std::string quoted(const std::string& value)
 {
   std::string json = "\"";
-  for (const char c : value)
+  for (std::size_t at = 0; at < value.size();)
   {
-    if (c == '"' || c == '\\')
-      json += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20)
+    const std::size_t length = utf8Length(value, at);
+    const char c = value[at];
+    if (length == 0)
     {
-      json += c;
-      continue;
+      json += "\\ufffd";
     }
-    char escape[8];
-    std::snprintf(escape, sizeof(escape), "\\u%04x", static_cast<unsigned>(c));
-    json += escape;
+    else if (static_cast<unsigned char>(c) < 0x20)
+    {
+      char escape[8];
+      std::snprintf(escape, sizeof(escape), "\\u%04x", static_cast<unsigned>(c));
+      json += escape;
+    }
+    else
+    {
+      json += (c == '"' || c == '\\' ? "\\" : "") + value.substr(at, length);
+    }
+    at += length == 0 ? 1 : length;
   }
   return json + '"';
 }

@@ -24,7 +24,7 @@ const char* const kSettings = "dataset.yaml";
 std::string settingsOf(const DatasetPlan& plan)
 {
   std::ostringstream text;
-  text << "weld_dataset: 1\nseed: " << plan.seed << "\nvalidation: " << plan.validation << '\n';
+  text << "weld_dataset: 2\nseed: " << plan.seed << "\nvalidation: " << plan.validation << '\n';
   return text.str();
 }
 
@@ -69,8 +69,9 @@ DatasetFolder::DatasetFolder(const std::string& directory, const DatasetPlan& pl
   if (fs::exists(settings))
   {
     if (contentOf(settings) != settingsOf(plan))
-      throw InputError(settings.string() + ": the data set there has another --seed or --validation; give the same, " +
-                       "or another --out");
+      throw InputError(settings.string() +
+                       ": the data set there has another --seed or --validation, or is of another " +
+                       "version; give the same, or another --out");
     refuseForeign();
   }
   else if (fs::exists(directory) && (!fs::is_directory(directory) || !fs::is_empty(directory)))

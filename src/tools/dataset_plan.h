@@ -17,8 +17,13 @@ struct DatasetEntry
 struct DatasetPlan
 {
   std::uint64_t seed = 0;
-  double validation = 0.2;  ///< share of each kind, 0..0.9
+  double validation = 0.2;  ///< share of the first N, whatever N, and of each kind, 0..0.9
 
   DatasetEntry entry(int index) const;
+
+private:
+  int heldOutOf(int count) const;  ///< how many of the first
+  bool holdsOut(int index) const;
+  int kindOf(int index) const;
 };
 }  // namespace weld_profiler

@@ -3,8 +3,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include "weld_profiler/core/errors.h"
+#include "weld_profiler/core/utf8.h"
 
 namespace weld_profiler
 {
@@ -33,9 +35,13 @@ YAML::Node parse(const std::string& path)
     throw InputError(path + ": cannot be read: " + std::strerror(errno != 0 ? errno : EIO));
   if (file.peek() == std::ifstream::traits_type::eof())
     throw InputError(path + ": is empty, expected `name: value` lines");
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!isUtf8(text.str()))
+    throw InputError(path + ": is no UTF-8 text, save it as such");
   try
   {
-    return YAML::Load(file);
+    return YAML::Load(text.str());
   }
   catch (const YAML::Exception& error)
   {

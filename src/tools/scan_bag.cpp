@@ -102,21 +102,25 @@ void writeScans(const BagScanResult& result, const Origin& origin, const std::fi
   }
 }
 
-/// Clouds of an earlier run that this one does not write, and the folders of its further welds: beside this summary
-/// they would be taken for its own.
-void removeStaleClouds(std::size_t scans, const std::filesystem::path& directory)
+/// What an earlier run left and this one does not write: clouds, the folders of further welds, and all that was
+/// measured of the welds. Beside this summary it would be taken for this scan's.
+void removeStale(std::size_t scans, const std::filesystem::path& directory)
 {
+  removeWeldFiles(directory.string());
   const std::regex cloud("scan(_([0-9]{1,6}))?(\\.(pcd|ply))?");
   std::vector<std::filesystem::path> stale;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
   {
     std::smatch match;
     const std::string name = entry.path().filename().string();
-    if (!std::regex_match(name, match, cloud))
+    const bool folder = entry.is_directory();
+    if (!std::regex_match(name, match, cloud) || folder == match[3].matched || (folder && !match[1].matched))
       continue;
     const std::size_t number = match[2].matched ? std::stoul(match[2].str()) : 1;
     if (number > scans)
       stale.push_back(entry.path());
+    else if (folder)
+      removeWeldFiles(entry.path().string());
   }
   for (const std::filesystem::path& path : stale)
     std::filesystem::remove_all(path);
@@ -176,9 +180,10 @@ int report(const BagScanResult& result, const Options& options)
 
 WeldTask weldTask(const Options& options, const WeldSettings& settings)
 {
-  return WeldTask{
-    settings, { options.weld_id, calibrationRecord(resolveUrl(options.calibration)) }, !options.no_report, options.out
-  };
+  return WeldTask{ WeldEvaluator(settings),
+                   { options.weld_id, calibrationRecord(resolveUrl(options.calibration)) },
+                   !options.no_report,
+                   options.out };
 }
 
 int scan(const Options& options)
@@ -187,15 +192,15 @@ int scan(const Options& options)
   requireWeldId(options.weld_id);
   WeldServerParams weld;
   const BagScanParams params = bagScanParams(options, weld);
+  const WeldTask task = weldTask(options, weld.settings);  // reads what it needs before the bag is read
   const BagScanResult result = scanBag(params);
   makeOutputDirectory(options.out);
   StagedOutput output;
-  const WeldTask task = weldTask(options, weld.settings);
   const std::string settings = yamlOf(params.stripe) + yamlOf(params.chain);
   writeScans(result, Origin{ options.weld_id, "", task.info.calibration.hash, settings }, options.out, output);
   writeSummaryFile(summaryOf(result, params, task.info), options.out, output);
   output.commit();
-  removeStaleClouds(result.scans.size(), options.out);
+  removeStale(result.scans.size(), options.out);
   if (!options.no_weld)
     measureWelds(result.scans, task);
   return report(result, options);

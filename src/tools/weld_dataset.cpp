@@ -26,7 +26,7 @@ void declare(CommandLine& command, Options& options)
   command.option("seed S", options.seed, "another seed, other welds; the first N of a seed are always the same");
   command.required();
   command.option("validation SHARE", options.validation,
-                 "of the clouds that go to validation/, of each kind alike, 0..0.9");
+                 "of the clouds that go to validation/, of all and of each kind, 0..0.9");
   command.example("weld_dataset --out welds --count 1000 --seed 1");
 }
 

@@ -5,7 +5,9 @@
 #include <iostream>
 #include <sstream>
 
+#include "tools/run_command.h"
 #include "tools/staged_output.h"
+#include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
 {
@@ -51,13 +53,28 @@ std::string outcome(const WeldEvaluation& evaluation)
     text += " (rests on limits that were not verified)";
   if (evaluation.verdict.waiting.sections > 0)
     text += "; " + evaluation.verdict.waiting.text();
+  if (!evaluation.plan.reason.empty())
+    text += "; grinding: " + evaluation.plan.reason;
   return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
+}
+
+/// Who interrupts at a terminal interrupts the report program too: then it is no fault of the report.
+void drawReport(const std::string& directory)
+{
+  try
+  {
+    writeReport(directory);
+  }
+  catch (const InputError&)
+  {
+    throwIfInterrupted();
+    throw;
+  }
 }
 }  // namespace
 
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
 {
-  const WeldEvaluator evaluator(task.settings);
   for (std::size_t i = 0; i < scans.size(); ++i)
   {
     std::string directory = task.directory;
@@ -66,10 +83,13 @@ void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
       directory = (std::filesystem::path(directory) / ("scan_" + std::to_string(i + 1))).string();
       makeOutputDirectory(directory);
     }
-    const WeldEvaluation evaluation = evaluator.evaluate(scans[i]);
-    writeWeldFiles(scans[i], evaluation, task.settings, task.info, directory);
+    throwIfInterrupted();
+    const WeldEvaluation evaluation = task.evaluator.evaluate(scans[i]);
+    writeWeldFiles(scans[i], evaluation, task.evaluator.settings(), task.info, directory);
+    throwIfInterrupted();
     if (task.report)
-      writeReport(directory);
+      drawReport(directory);
+    throwIfInterrupted();
     std::cerr << "weld " << (scans.size() > 1 ? std::to_string(i + 1) + " " : "") << "in " << directory << ": "
               << outcome(evaluation) << "\n";
   }

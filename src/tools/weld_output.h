@@ -11,13 +11,13 @@ namespace weld_profiler
 /// How scans are measured, and where that goes.
 struct WeldTask
 {
-  WeldSettings settings;
+  WeldEvaluator evaluator;
   WeldRecordInfo info;
   bool report = true;
   std::string directory;  ///< exists; a second scan gets a folder scan_2 in it
 };
 
 /// Measures scans, writes their files and says on standard error what each shows.
-/// @throws InputError naming path and cause.
+/// @throws InputError naming path and cause; Interrupted, with whole files of what was done so far.
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task);
 }  // namespace weld_profiler

@@ -44,7 +44,8 @@ std::vector<WeldKind> readKinds(const LimitsNode& node)
 {
   const YAML::Node list = node.child("kinds", "a list of butt, fillet, bead_on_plate");
   if (!list.IsSequence() || list.size() == 0)
-    throw ConfigError(node.nameOf("kinds") + " is no list, must be a list of butt, fillet, bead_on_plate");
+    throw ConfigError(node.nameOf("kinds") + " is " + (list.IsSequence() ? "empty" : "no list") +
+                      ", must be a list of butt, fillet, bead_on_plate");
   std::vector<WeldKind> kinds;
   for (const YAML::Node& item : list)
   {
@@ -171,8 +172,10 @@ public:
     limits.least_thickness_ = kMetresPerMm * root.number("least_thickness_mm", 0.0, kMostMm);
     limits.short_rule_ = readShortRule(LimitsNode(root.child("short", "`short:`"), root.nameOf("short.")));
     const YAML::Node entries = root.child("entries", "a list of limits");
-    if (!entries.IsSequence() || entries.size() == 0)
+    if (!entries.IsSequence())
       throw ConfigError(root.nameOf("entries") + " is no list, must be a list of limits");
+    if (entries.size() == 0)
+      throw ConfigError(root.nameOf("entries") + " is empty, must have one limit or more");
     for (std::size_t i = 0; i < entries.size(); ++i)
       limits.entries_.push_back(readEntry(LimitsNode(entries[i], root.nameOf("entries[" + std::to_string(i) + "]."))));
     requireConsistent(limits.entries_, origin);

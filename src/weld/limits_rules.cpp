@@ -41,6 +41,21 @@ double allowance(const LimitEntry& entry, QualityLevel level, double x)
   return entry.least ? -value : value;
 }
 
+/// An imperfection of any length that the better level takes, and the next only if it is short.
+void requireOrderOfLengths(const LimitEntry& entry, const std::string& where)
+{
+  for (const auto& [better, next] :
+       { std::make_pair(QualityLevel::B, QualityLevel::C), std::make_pair(QualityLevel::C, QualityLevel::D) })
+  {
+    const LevelLimit& limit = entry.at(better);
+    const bool allows_nothing = limit.base == 0.0 && limit.factor == 0.0;
+    if (limit.rule == LevelLimit::Rule::Limit && !allows_nothing && entry.at(next).rule == LevelLimit::Rule::Short)
+      throw ConfigError(where + "." + name(better) + " allows any length, " + name(next) +
+                        " only short ones, must not allow more: give " + name(better) +
+                        " `short: true`, or take it from " + name(next));
+  }
+}
+
 void requireOrder(const LimitEntry& entry, const std::string& where)
 {
   const bool of_thickness = entry.needs('t');
@@ -80,6 +95,7 @@ void requireConsistent(const std::vector<LimitEntry>& entries, const std::string
   {
     requireKind(entries[i], nameOf(origin, i));
     requireOrder(entries[i], nameOf(origin, i));
+    requireOrderOfLengths(entries[i], nameOf(origin, i));
     for (std::size_t j = 0; j < i; ++j)
       if (overlap(entries[i], entries[j]))
         throw ConfigError(nameOf(origin, i) + " is for the same welds as entries[" + std::to_string(j) +

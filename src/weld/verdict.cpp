@@ -106,9 +106,8 @@ SectionVerdict WeldJudge::judge(WeldKind kind, const WeldSection& section) const
   }
   const LevelVerdict together = combine(parts);
   result.verdict = together.verdict;
-  result.waits_for = missingParts(parts, together);
-  if (!result.waits_for.empty() && !section.hasBead())
-    result.waits_for = { "width" };
+  if (result.verdict == "undecided")  // what is not judged at all waits for nothing
+    result.waits_for = missingParts(parts, together);
   result.unverified = together.unverified;
   result.levels = together.levels;
   result.unverified_levels = together.unverified_levels;

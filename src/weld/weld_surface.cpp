@@ -1,5 +1,7 @@
 #include "weld_profiler/weld/weld_surface.h"
 
+#include <sstream>
+
 #include "weld_meshes.h"
 #include "weld_profiler/core/errors.h"
 
@@ -30,6 +32,16 @@ WeldMeshes makeWeldMeshes(const Scan& scan, const WeldResult& result, const Weld
 
 namespace weld
 {
+namespace
+{
+std::string shortest(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+}  // namespace
+
 WeldMeshes makeMeshes(const WeldShape& shape, const WeldLattice& lattice, const WeldSurfaceParams& params)
 {
   WeldMeshes meshes;
@@ -46,7 +58,10 @@ WeldMeshes makeMeshes(const WeldShape& shape, const WeldLattice& lattice, const 
   }
   else
     meshes.bead = meshOf(lattice, lattice.bead, params);
-  if (meshes.bead.empty())
+  if (meshes.bead.empty() && params.edge_inset > 0.0 && !meshOf(lattice, lattice.bead, params).empty())
+    meshes.reason = "edge_inset " + shortest(1e3 * params.edge_inset) +
+                    " mm leaves nothing of the bead, must be less than half its width";
+  else if (meshes.bead.empty())
     meshes.reason = "no piece of the bead is seen well enough for a mesh";
   return meshes;
 }

@@ -182,6 +182,8 @@ TEST(WeldNodelet, ABadGoalIsRefusedByName)
   ScanWeldGoal goal;
   goal.weld_id = "../../etc";
   EXPECT_NE(refusal(goal).find("weld_id is '../../etc'"), std::string::npos);
+  goal.weld_id = "N\xe4ht";
+  EXPECT_NE(refusal(goal).find("no UTF-8"), std::string::npos);
   goal = ScanWeldGoal();
   goal.kind = "lap";
   EXPECT_NE(refusal(goal).find("'lap'"), std::string::npos);

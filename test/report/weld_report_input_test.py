@@ -13,19 +13,45 @@ from weld_report_case import WeldReportCase
 class Incomplete(WeldReportCase):
     def test_without_any_optional_file(self):
         self.make(rows=30, cells=300)
-        for name in ("weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd"):
+        for name in ("spots.csv", "weld_points.pcd"):
             os.remove(self.path(name))
         page = self.page()
         self.assertIn("LEVEL B NOT MET", page.text)
-        for name in ("weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd"):
+        for name in ("spots.csv", "weld_points.pcd"):
             self.assertIn(name + " is not in the folder", page.text)
 
     def test_each_file_alone_may_be_missing(self):
-        for name in ("weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd"):
+        for name in ("spots.csv", "weld_points.pcd"):
             with self.subTest(name):
                 self.make(rows=30, cells=300)
                 os.remove(self.path(name))
                 self.assertIn(name + " is not in the folder", self.page().text)
+
+    def test_the_tables_of_a_weld_must_be_there(self):
+        for name in ("weld.csv", "verdict.csv"):
+            with self.subTest(name):
+                self.make(rows=30, cells=300)
+                os.remove(self.path(name))
+                self.assert_refused(name, "is missing", "30 sections")
+
+    def test_tables_of_another_measurement_are_refused(self):
+        self.make(rows=30, cells=300)
+        self.edit(lambda record: record.update(id='K, "17"', settings_hash="5e77"))
+        mine = {"weld_id": "K; '17'", "calibration_hash": "3f9a01c2d4e5", "settings_hash": "5e77"}
+        for name in ("weld.csv", "verdict.csv", "spots.csv"):
+            with open(self.path(name)) as file:
+                lines = file.read().splitlines()
+
+            def write(trace, last=None):
+                tails = [",".join(mine)] + [",".join(trace.values())] * (len(lines) - 1)
+                tails[-1] = ",".join((last or trace).values())
+                self.write(name, "".join("%s,%s\n" % both for both in zip(lines, tails)))
+            for key in mine:
+                with self.subTest(name, key=key):
+                    write(mine, dict(mine, **{key: "other"}))
+                    self.assert_refused(name + ": is of another measurement", "%s is 'other', there '%s'" % (key, mine[key]))
+            write(mine)
+        self.page()
 
     def test_scan_pcd_serves_where_there_are_no_weld_points(self):
         weld = self.make(rows=30, cells=300)
@@ -107,8 +133,14 @@ class Incomplete(WeldReportCase):
     def test_one_section_and_tables_of_a_header_only(self):
         self.make(rows=30, cells=300)
         write_csv(self.path("weld.csv"), COLUMNS, self.sections[7:8])
+        self.assert_refused("weld.csv: holds 1 sections, weld.json tells of 30")
+        write_csv(self.path("weld.csv"), COLUMNS, [])
+        self.assert_refused("weld.csv: has no line, weld.json tells of 30 sections")
+        write_csv(self.path("weld.csv"), COLUMNS, self.sections[7:8])
+        self.edit(lambda record: record.update(sections=1))
         self.page()
         write_csv(self.path("weld.csv"), COLUMNS, [])
+        self.edit(lambda record: record.update(sections=0))
         self.write("spots.csv", "kind,s_mm\n")
         self.write("verdict.csv", "imperfection,level,decision\n")
         self.assertIn("verdict.csv is missing or has no line", self.page().text)

@@ -128,23 +128,53 @@ TEST_F(WeldFiles, WeldJsonCountsTheSectionsThatWaitForWhatSpatterHides)
   EXPECT_EQ(undecided, waiting);
 }
 
-TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOne)
+TEST_F(WeldFiles, WeldJsonSaysWhyThereIsNothingToGrind)
+{
+  const Scan scan = IdealScanner()(IdealWeld());
+  write(scan);
+  EXPECT_GT(record()["grinding_passes"].as<int>(), 0);
+  EXPECT_EQ(record()["grinding_reason"].as<std::string>(), "");
+  settings_.grinding.surface.edge_inset = 5e-3;
+  write(scan);
+  EXPECT_EQ(record()["grinding_passes"].as<int>(), 0);
+  EXPECT_NE(record()["grinding_reason"].as<std::string>().find("edge_inset 5 mm leaves nothing of the bead"),
+            std::string::npos);
+  settings_.grinding.surface.edge_inset = 0.0;
+  settings_.measuring.target = "rest";
+  settings_.measuring.rest_height = 5e-3;
+  write(scan);
+  EXPECT_EQ(record()["grinding_passes"].as<int>(), 0);
+  EXPECT_NE(record()["grinding_reason"].as<std::string>().find("nothing stands more than min_removal"),
+            std::string::npos)
+      << record()["grinding_reason"];
+}
+
+TEST_F(WeldFiles, WithoutAWeldLeavesNoMeshOfAnEarlierOneAndNoReport)
 {
   write(IdealScanner()(IdealWeld()));
+  std::ofstream(folder_.file("report.html")) << "of the earlier one";
+  std::ofstream(folder_.file("report.png")) << "of the earlier one";
+  std::ofstream(folder_.file("notes.txt")) << "somebody's";
   ASSERT_TRUE(std::filesystem::exists(folder_.file("bead.ply")));
   const auto plate = [](double, double) { return 0.0; };
   EXPECT_EQ(write(IdealScanner()(plate)).size(), 6u);
   EXPECT_FALSE(std::filesystem::exists(folder_.file("bead.ply")));
   EXPECT_FALSE(std::filesystem::exists(folder_.file("target.ply")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("report.html")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("report.png")));
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("notes.txt")));
   EXPECT_EQ(record()["kind"].as<std::string>(), "none");
   EXPECT_EQ(record()["verdict"]["height_limits"].size(), 0u);
 }
 
-TEST_F(WeldFiles, AnIdIsOneLine)
+TEST_F(WeldFiles, AnIdIsOneLineOfUtf8)
 {
   const Scan scan = IdealScanner()(IdealWeld());
   EXPECT_THROW(write(scan, "two\nlines"), ConfigError);
   EXPECT_THROW(write(scan, std::string(101, 'x')), ConfigError);
+  for (const char* id : { "N\xe4ht", "N\xc3", "\xc0\xafy", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82" })
+    EXPECT_THROW(write(scan, id), ConfigError) << "no UTF-8";
+  EXPECT_NO_THROW(requireWeldId("N\xc3\xa4ht \xe2\x82\xac \xf0\x9f\x94\xa5"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing was written";
 }
 }  // namespace weld_profiler

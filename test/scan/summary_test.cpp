@@ -50,6 +50,13 @@ TEST(Summary, HasEmptyObjectsWithoutReasons)
   EXPECT_EQ(json["dropped"].size(), 0u);
 }
 
+TEST(Summary, IsUtf8WhateverIsAdded)
+{
+  JsonObject object;
+  object.add("file", "/rigs/N\xe4he/\xe2\x82\xac\xc3.yaml");
+  EXPECT_EQ(object.text(), "{\n  \"file\": \"/rigs/N\\ufffdhe/\xe2\x82\xac\\ufffd.yaml\"\n}");
+}
+
 TEST(Summary, TakesMoreKeys)
 {
   JsonObject object = summary(someBalance());

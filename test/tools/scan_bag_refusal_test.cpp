@@ -91,6 +91,16 @@ TEST_F(ScanBagRefuses, BadParametersAndPlaces)
   refuses(kCalibration + "--params params.yaml --out out weld.bag", { "min_peak_count" });
   write("params.yaml", "triangulation: {max_encoder_gap: .nan}\n");
   refuses(kCalibration + "--params params.yaml --out out weld.bag", { "max_encoder_gap", "nan" });
+  write("limits.yaml", "version: 1\n");
+  write("params.yaml", "weld_measurement: {limits_file: limits.yaml}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "limits.yaml", "standard is missing" });
+  write("params.yaml", "weld_measurement: {limits_file: nowhere.yaml}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "nowhere.yaml" });
+  write("params.yaml", "weld_measurement: {thickness: -1}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "thickness", "-1" });
+  refuses(kCalibration + "--weld-id N\xe4ht --out out weld.bag", { "id is no UTF-8" });
+  write("params.yaml", "weld_measurement: {limits_file: \"N\xe4ht.yaml\"}\n");
+  refuses(kCalibration + "--params params.yaml --out out weld.bag", { "params.yaml", "no UTF-8" });
   refuses(kCalibration + "--max-drop 2 --out out weld.bag", { "max-drop" });
   refuses(kCalibration + "--motion tf --out out weld.bag", { "fixed_frame" });
   refuses(kCalibration + "--out /dev/null/out weld.bag", { "/dev/null" });

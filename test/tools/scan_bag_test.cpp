@@ -156,6 +156,52 @@ TEST_F(ScanBag, LeavesNoCloudOfAnEarlierRunBesideItsSummary)
   EXPECT_EQ(filesIn("scan"), (std::vector<std::string>{ "scan.pcd", "scan.ply", "summary.json" }));
 }
 
+TEST_F(ScanBag, LeavesNothingOfAnEarlierWeldBesideAnotherScan)
+{
+  ASSERT_EQ(scan(kCalibration + "--out scan weld.bag").status, 0);
+  ASSERT_EQ(filesIn("scan"), kWeldFiles);
+  std::filesystem::create_directory(path("scan/scan"));
+  write("scan/scan/weld.json", "somebody's");
+  std::filesystem::create_directory(path("scan/scan_2"));
+  write("scan/scan_2/weld.json", "of a second scan");
+  ASSERT_EQ(scan(kCalibration + "--no-weld --out scan weld.bag").status, 0);
+  EXPECT_EQ(filesIn("scan"), (std::vector<std::string>{ "scan", "scan.pcd", "scan.ply", "summary.json" }));
+  EXPECT_EQ(filesIn("scan/scan").size(), 1u);
+
+  write("scan/report.html", "of an earlier weld");
+  write("scan/report.png", "of an earlier weld");
+  ASSERT_EQ(scan(kCalibration + "--no-report --out scan weld.bag").status, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("scan/weld.json")));
+  EXPECT_FALSE(std::filesystem::exists(path("scan/report.html")));
+  EXPECT_FALSE(std::filesystem::exists(path("scan/report.png")));
+
+  write("short.yaml", "triangulation: {max_rows: 12}\n");
+  std::filesystem::create_directory(path("scan/scan_2"));
+  write("scan/scan_2/weld.json", "of an earlier run");
+  ASSERT_EQ(scan(kCalibration + "--no-weld --params short.yaml --out scan weld.bag").status, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("scan/scan_2.pcd")));
+  EXPECT_FALSE(std::filesystem::exists(path("scan/scan_2/weld.json")));
+}
+
+/// As soon as the report is all that is missing: scan_bag alone, or with its report program as a terminal does.
+TEST_F(ScanBag, InterruptedWhileTheReportIsDrawnSaysNoMore)
+{
+  for (const std::string& who : { std::string("$pid"), std::string("-$pid") })
+  {
+    write("interrupt.sh", "set -m\n" WELD_PROFILER_COMMANDS "/scan_bag " + kCalibration +
+                              "--out scan weld.bag 2> errors &\npid=$!\n"
+                              "until [ -e scan/passes.csv ] || ! kill -0 $pid; do sleep 0.02; done\n"
+                              "kill -INT -- " +
+                              who + "\nwait $pid\n");
+    const int status = std::system(("cd " + path("") + " && bash interrupt.sh > /dev/null 2>&1").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 130) << who << ": " << text("errors");
+    EXPECT_EQ(text("errors").find("Traceback"), std::string::npos) << text("errors");
+    EXPECT_NE(text("errors").find("interrupted"), std::string::npos) << text("errors");
+    EXPECT_TRUE(std::filesystem::exists(path("scan/weld.json"))) << "whole files stay";
+    std::filesystem::remove_all(path("scan"));
+  }
+}
+
 TEST_F(ScanBag, AWindowThatCutsEveryPointIsAPoorResult)
 {
   write("window.yaml", "triangulation: {min_z: 1.0, max_z: 2.0}\n");

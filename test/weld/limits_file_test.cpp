@@ -132,8 +132,8 @@ TEST(LimitsFile, IsRefusedByKeyAndValueWithARemedy)
       { replaced(good, "share: 0.25", "share: 25"), "short.share is 25", "must be in" },
       { replaced(good, "share: 0.25", "part: 0.25"), "short.part", "must be one of" },
       { std::string(kHead), "entries", "add" },
-      { std::string(kHead) + "entries: []\n", "entries", "list" },
-      { std::string(kHead) + "entries: {a: 1}\n", "entries", "list" },
+      { std::string(kHead) + "entries: []\n", "entries is empty", "one limit or more" },
+      { std::string(kHead) + "entries: {a: 1}\n", "entries is no list", "list" },
       { std::string(kHead) + "entries: [1]\n", "entries[0]", "must hold" },
   });
 }
@@ -147,7 +147,7 @@ TEST(LimitsFile, IsRefusedForAnEntryThatSaysTooLittle)
       { replaced(good, "iso: 5011", "so: 5011"), "entries[0].so", "must be one of" },
       { replaced(good, "[butt]", "[but]"), "entries[0].kinds is 'but'", "must be one of" },
       { replaced(good, "[butt]", "butt"), "entries[0].kinds", "must be a list" },
-      { replaced(good, "[butt]", "[]"), "entries[0].kinds", "must be a list" },
+      { replaced(good, "[butt]", "[]"), "entries[0].kinds is empty", "must be a list" },
       { table(entry(kGood, ", above_mm: -1")), "entries[0].above_mm is -1", "must be in" },
       { table(entry(kGood, ", from_mm: .nan")), "entries[0].from_mm is nan", "must be in" },
       { table(entry(kGood, ", from_mm: 3, to_mm: 2")), "entries[0].to_mm is 2", "must not be less" },
@@ -177,6 +177,19 @@ TEST(LimitsFile, IsRefusedForALevelThatCannotBe)
       { replaced(good, "B: {base_mm: 0.1}", "B: {base_mm: 0.25}"), "entries[0].B allows more than C", "must" },
       { replaced(good, "B: {base_mm: 0.1}", "B: permitted"), "entries[0].B allows more than C", "must" },
   });
+}
+
+TEST(LimitsFile, IsRefusedForALevelThatIsShortWhereTheBetterIsNot)
+{
+  const auto levels = [](const std::string& text) { return table(entry(text)); };
+  expectRefused({
+      { levels("B: {base_mm: 0.39}, C: {base_mm: 0.4, short: true}, D: permitted"),
+        "entries[0].B allows any length, C only short ones", "short: true" },
+      { levels("B: not_permitted, C: {factor: 0.1, of: t}, D: {factor: 0.2, of: t, short: true}"),
+        "entries[0].C allows any length, D only short ones", "short: true" },
+  });
+  EXPECT_EQ(errorOf(levels("B: {base_mm: 0.3, short: true}, C: {base_mm: 0.4, short: true}, D: {base_mm: 0.5}")), "");
+  EXPECT_EQ(errorOf(levels("B: {base_mm: 0}, C: {base_mm: 0.4, short: true}, D: permitted")), "") << "B allows nothing";
 }
 
 TEST(LimitsFile, IsRefusedForAnEntryThatFitsNoWeld)

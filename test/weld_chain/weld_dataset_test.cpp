@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -138,19 +141,48 @@ TEST(DatasetPlan, HoldsOutTheAskedShareOfEachKind)
   {
     const DatasetPlan plan{ seed, 0.2 };
     std::array<int, 3> held_out{};
-    std::set<std::uint64_t> scenes;
+    std::set<std::uint64_t> scenes, kinds;
     for (int index = 0; index < 300; ++index)
     {
       const DatasetEntry entry = plan.entry(index);
-      EXPECT_EQ(entry.scene_seed % 3, static_cast<std::uint64_t>(index % 3)) << "kinds take turns";
+      kinds.insert(entry.scene_seed % 3);
+      if (index % 3 == 2)
+      {
+        EXPECT_EQ(kinds.size(), 3u) << "kinds take turns";
+        kinds.clear();
+      }
       EXPECT_EQ(entry.file.compare(0, entry.split.size(), entry.split), 0);
-      held_out[static_cast<std::size_t>(index % 3)] += entry.split == "validation" ? 1 : 0;
+      held_out[entry.scene_seed % 3] += entry.split == "validation" ? 1 : 0;
       scenes.insert(entry.scene_seed);
     }
     EXPECT_EQ(scenes.size(), 300u) << "no weld twice";
     for (const int count : held_out)
       EXPECT_NEAR(count, 20, 1);
   }
+}
+
+TEST(DatasetPlan, HoldsOutTheAskedShareOfTheFirstFewAndOfTheirKinds)
+{
+  int checked = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+    for (const double share : { 0.1, 1.0 / 9.0, 0.2, 0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 0.9 })
+    {
+      const DatasetPlan plan{ seed, share };
+      int all = 0;
+      std::array<int, 3> of_kind{};
+      for (int index = 0; index < 60; ++index)
+      {
+        const DatasetEntry entry = plan.entry(index);
+        const int held_out = entry.split == "validation" ? 1 : 0;
+        all += held_out;
+        of_kind[entry.scene_seed % 3] += held_out;
+        EXPECT_LT(std::abs(all - share * (index + 1)), 1.0) << "seed " << seed << ", share " << share;
+        const auto [least, most] = std::minmax_element(of_kind.begin(), of_kind.end());
+        EXPECT_LE(*most - *least, index % 3 == 2 ? 1 : 2);
+        checked += index == 7 && share == 0.25 && all == 2 ? 1 : 0;
+      }
+    }
+  EXPECT_EQ(checked, 40) << "2 of 8";
 }
 
 TEST(DatasetPlan, AnotherSeedHasOtherWelds)

@@ -28,7 +28,7 @@ struct Origin
   std::string inCsv(const std::string& csv) const;
 };
 
-/// @throws ConfigError unless the id of a weld is one line of at most 100 bytes.
+/// @throws ConfigError unless the id of a weld is one line of UTF-8, at most 100 bytes.
 void requireWeldId(const std::string& id);
 
 namespace detail

@@ -28,12 +28,15 @@ struct WeldRecordInfo
 };
 
 /// Writes what docs/weld-files.md lists, but for the scan itself and the report, into a folder that exists. Each file
-/// appears whole or not at all; those of an earlier run that are not written now are removed.
+/// appears whole or not at all; those of an earlier run, its report too, are removed before.
 /// @return their paths, in the order of that page.
 /// @throws InputError naming path and cause.
 std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& evaluation,
                                         const WeldSettings& settings, const WeldRecordInfo& info,
                                         const std::string& directory);
+
+/// Removes what writeWeldFiles() and writeReport() leave: beside another scan they would be taken for its own.
+void removeWeldFiles(const std::string& directory);
 
 /// The parameters as YAML, one a line.
 std::string settingsText(const WeldSettings& settings);

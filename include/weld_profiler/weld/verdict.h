@@ -50,7 +50,7 @@ struct Judgement
 struct SectionVerdict
 {
   std::string verdict;                 ///< as in weld.csv; empty = not judged, or nothing of a bead was measured
-  std::vector<std::string> waits_for;  ///< what was not measured and leaves it undecided: `undercut left`, `width`, ...
+  std::vector<std::string> waits_for;  ///< what was not measured and leaves it undecided: `undercut left`, ...
   bool unverified = false;             ///< rests on a limit that was not read
   std::array<Decision, 3> levels{};    ///< whether B, C, D are met
   std::array<bool, 3> unverified_levels{};
@@ -75,7 +75,7 @@ struct VerdictRow
   bool verified = false;
 };
 
-/// Sections whose verdict waits for something that was not measured there.
+/// Sections that are `undecided` by what was not measured there. Those without a verdict do not wait.
 struct WaitingSections
 {
   int sections = 0;                     ///< that wait
