@@ -42,7 +42,7 @@ void addRow(const Profile& row, const WeldTruth& truth, double in_view, Misalign
       if (side * (static_cast<double>(point.x) - toe) < in_view * std::cos(truth.yaw))
         cut.points.push_back(point);
     }
-    all.add(WeldMeasurer().measureRow(cut, truth.yaw).misalignment, truth.misalignment);
+    all.add(WeldMeasurer().measureRow(cut, { truth.yaw, 0.0 }).misalignment, truth.misalignment);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "weld_profiler/weld/quantity.h"
@@ -41,6 +42,8 @@ struct WeldSection
   double stage = 0.0;  ///< stage position of that row [m]
   double s = 0.0;      ///< along the path, from where the bead was first seen [m]
   double yaw = 0.0;    ///< of the path against the scan axis y, from +y toward -x [rad]
+  /// 1-sigma of the yaw, which is in the other sigmas as well; NaN where it is not told by itself [rad]
+  double yaw_sigma = std::numeric_limits<double>::quiet_NaN();
   SectionReference reference = SectionReference::Chord;
 
   Quantity width;          ///< chord of the toes
