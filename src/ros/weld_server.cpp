@@ -28,9 +28,9 @@ WeldServer::WeldServer(const Handles& handles, const WeldServerParams& params)
   : handles_(handles),
     params_(params),
     evaluator_(std::make_shared<const WeldEvaluator>(params.settings)),
-    live_(evaluator_->measurer()),
     grinding_(handles.node, params.output_frame),
     updater_(handles.node, handles.own, handles.name),
+    live_(evaluator_->measurer()),
     queue_(kWaitingScans, false)
 {
   params.validate();
