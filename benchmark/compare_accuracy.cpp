@@ -11,6 +11,7 @@
 #include "tools/command_line.h"
 #include "weld/ground_case.h"
 #include "weld/ground_weld.h"
+#include "weld_profiler/core/errors.h"
 #include "weld_profiler/weld/scan_comparison.h"
 
 namespace weld_profiler
@@ -101,6 +102,28 @@ double restOf(std::uint64_t seed)
   return kRests[seed / 3 % 3];
 }
 
+/// How many could be compared: some of the random welds are too low to be told.
+std::uint64_t compareAll(std::uint64_t first, std::uint64_t welds, std::vector<Placement>& placements)
+{
+  std::uint64_t compared = 0;
+  for (std::uint64_t seed = first; seed < first + welds; ++seed)
+  {
+    const GroundCase weld(seed, restOf(seed));
+    try
+    {
+      for (Placement& placement : placements)
+        compare(weld, seed, placement);
+      ++compared;
+    }
+    catch (const InputError& error)
+    {
+      std::printf("%3llu %-13s skipped: %s\n", static_cast<unsigned long long>(seed), weld.scene().weld.kind.c_str(),
+                  error.what());
+    }
+  }
+  return compared;
+}
+
 void runAll(const Options& options)
 {
   std::vector<Placement> placements;
@@ -108,16 +131,15 @@ void runAll(const Options& options)
   placements.push_back(
       { "shifted and turned", motionAbout({ 0.0, 0.01, 0.0 }, { 3e-4, -4e-4, 1.2e-3 }, { 1.0, -0.8, 0.3 }), {}, {} });
   const auto first = static_cast<std::uint64_t>(options.first), welds = static_cast<std::uint64_t>(options.welds);
-  for (std::uint64_t seed = first; seed < first + welds; ++seed)
-  {
-    const GroundCase weld(seed, restOf(seed));
-    for (Placement& placement : placements)
-      compare(weld, seed, placement);
-  }
+  const std::uint64_t compared = compareAll(first, welds, placements);
+  std::printf("%llu of %llu welds compared, %llu skipped\n", static_cast<unsigned long long>(compared),
+              static_cast<unsigned long long>(welds), static_cast<unsigned long long>(welds - compared));
+  if (compared == 0)
+    return;
   for (Placement& placement : placements)
   {
     std::printf("%s: over-ground places, none true: %zu; parents apart at most %.2f um; %.0f ms each\n", placement.name,
-                placement.spots, 1e6 * placement.residual, placement.milliseconds / options.welds);
+                placement.spots, 1e6 * placement.residual, placement.milliseconds / static_cast<double>(compared));
     placement.removed.print("removed");
     placement.remaining.print("remaining");
   }

@@ -9,6 +9,7 @@
 #include "weld/compare_sections.h"
 #include "weld/compare_spots.h"
 #include "weld_profiler/simulation/random_welds.h"
+#include "weld_profiler/weld/live_weld.h"
 #include "weld_profiler/weld/weld_measurer.h"
 
 namespace weld_profiler
@@ -63,13 +64,14 @@ void measureRows(const WeldMeasurer& measurer, const Scan& scan, Times& times)
   const std::unique_lock<std::shared_mutex> alone(quiet());
   double sum = 0.0;
   times.row_worst = 0.0;
+  LiveWeld live(measurer);
   for (const Profile& row : scan.rows)
   {
     double best = 0.0;
     for (int i = 0; i < kRepeats; ++i)
     {
       const double begin = processorMs();
-      measurer.measureRow(row);
+      live.measure(row);
       const double took = processorMs() - begin;
       best = i == 0 ? took : std::min(best, took);
     }

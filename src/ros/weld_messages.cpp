@@ -119,6 +119,7 @@ WeldCrossSection sectionMessage(const WeldSection& section, const SectionVerdict
   message.stage = section.stage;
   message.s = section.s;
   message.yaw = section.yaw;
+  message.yaw_sigma = section.yaw_sigma;
   message.reference = section.reference == SectionReference::Chord ? "chord" : "parent_lines";
   message.toe_left = point(section.toe_left);
   message.toe_right = point(section.toe_right);

@@ -30,6 +30,7 @@ WeldServer::WeldServer(const Handles& handles, const WeldServerParams& params)
     evaluator_(std::make_shared<const WeldEvaluator>(params.settings)),
     grinding_(handles.node, params.output_frame),
     updater_(handles.node, handles.own, handles.name),
+    live_(evaluator_->measurer()),
     queue_(kWaitingScans, false)
 {
   params.validate();
@@ -82,7 +83,7 @@ try
   travel_.add(profile, (ros::Time::now() - cloud->header.stamp).toSec());
   if (measured_.getNumSubscribers() == 0 && section_marker_.getNumSubscribers() == 0)
     return;
-  const WeldSection section = evaluator_->measurer().measureRow(profile, yaw_);
+  const WeldSection section = measureLive(profile);
   auto message = boost::make_shared<WeldMeasurement>();
   message->header = cloud->header;
   message->type = WeldMeasurement::LIVE;
@@ -96,8 +97,18 @@ catch (const PreconditionError& error)
   ROS_ERROR_STREAM_THROTTLE_NAMED(kLogPeriod, handles_.name, "[" << handles_.name << "] " << error.what());
 }
 
+WeldSection WeldServer::measureLive(const Profile& profile)
+{
+  const std::lock_guard<std::mutex> lock(live_mutex_);
+  return live_.measure(profile);
+}
+
 void WeldServer::onScanInfo(const ScanInfoConstPtr& info)
 {
+  {
+    const std::lock_guard<std::mutex> lock(live_mutex_);
+    live_.restart();
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   Job job{ info, std::move(order_) };
   order_ = Order{};
@@ -178,7 +189,6 @@ WeldOutcome WeldServer::evaluate(const Job& job, const sensor_msgs::PointCloud2&
     const std::lock_guard<std::mutex> lock(mutex_);
     ++scans_;
     welds_ += evaluation.result.hasWeld() ? 1 : 0;
-    yaw_ = evaluation.result.path.empty() ? 0.0 : evaluation.result.path[evaluation.result.path.size() / 2].yaw;
     last_ = std::string(name(evaluation.result.kind)) +
             (evaluation.result.reason.empty() ? "" : ": " + evaluation.result.reason);
   }

@@ -60,6 +60,12 @@ CompareBins::CompareBins(const ComparedScans& scans)
     const std::size_t bin = index(rowOf(static_cast<double>(grid.y[i])), columnOf(static_cast<double>(grid.x[i])));
     add(scans, i, bins_[bin]);
   }
+  average(scans);
+  lowerTheRest(scans.rest);
+}
+
+void CompareBins::average(const ComparedScans& scans)
+{
   for (Bin& bin : bins_)
   {
     if (bin.points == 0)
@@ -71,6 +77,21 @@ CompareBins::CompareBins(const ComparedScans& scans)
     // points of one row err alike
     const double independent = std::max(static_cast<double>(bin.rows), bin.points / scans.noise.alike);
     bin.noise *= square(scans.noise.factor) / independent;
+  }
+}
+
+void CompareBins::lowerTheRest(double rest)
+{
+  for (int row = 0; row < rows_; ++row)
+  {
+    for (int column = 0; column < columns_; ++column)
+    {
+      Bin& bin = bins_[index(row, column)];
+      const double tilt = std::sqrt(1.0 + square(slope(row, column, true)) + square(slope(row, column, false)));
+      // elsewhere than on the weld the target leaves nothing
+      const double standing = bin.metal_area > 0.0 ? rest * tilt : 0.0;
+      bin.not_there = std::clamp(-(bin.above + bin.taken), 0.0, standing);
+    }
   }
 }
 

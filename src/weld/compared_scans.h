@@ -20,6 +20,7 @@ struct ComparedScans
   const GridMaps& maps;
   const std::vector<float>& distance;  ///< from the weld [m]
   double reach = 0.0;                  ///< so far from the weld grinding may go [m]
+  double rest = 0.0;                   ///< that the target leaves above flush, normal to it [m]
   std::vector<SurfaceSample> after;
   std::vector<float> area;         ///< of the surface before, seen from above, that a point stands for [m^2]
   std::vector<float> common_area;  ///< of it, what the scan after shows too
@@ -52,9 +53,14 @@ public:
     double area = 0.0;                                           ///< common [m^2]
     double x = 0.0, y = 0.0, z = 0.0, above = 0.0, taken = 0.0;  ///< means over the area
     double target = 0.0;                                         ///< mean [m]
-    double noise = 0.0;                                          ///< variance of a mean of z after less before
+    double not_there = 0.0;                      ///< of the target's rest, what was not there before [m]
+    double noise = 0.0;                          ///< variance of a mean of z after less before
     double metal_area = 0.0, metal_above = 0.0;  ///< of it, where bead or spatter was: area, mean above the target
   };
+
+  /// How far a bin lies below what grinding can leave: the target, or the surface before where that was lower, as in a
+  /// bead's tapering ends; never below flush [m].
+  static double depth(const Bin& bin) { return -bin.above - bin.not_there; }
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -73,6 +79,8 @@ private:
   {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
+  void average(const ComparedScans& scans);
+  void lowerTheRest(double rest);
   static void add(const ComparedScans& scans, std::size_t i, Bin& bin);
   double slope(int row, int column, bool along_x) const;
 

@@ -50,6 +50,6 @@ private:
 };
 
 /// One section from a grid of one row.
-WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& params);
+WeldSection measureOneRow(const ScanGrid& grid, const Quantity& yaw, const WeldParams& params);
 }  // namespace weld
 }  // namespace weld_profiler

@@ -5,6 +5,7 @@
 #include "lone_parents.h"
 #include "measuring.h"
 #include "row_beads.h"
+#include "row_yaw.h"
 #include "seam_summary.h"
 #include "statistics.h"
 
@@ -71,10 +72,11 @@ void refuseDoubtfulParents(const WeldParams& params, WeldSection& section)
 }
 }  // namespace
 
-WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& params)
+WeldSection measureOneRow(const ScanGrid& grid, const Quantity& told_yaw, const WeldParams& params)
 {
+  const double yaw = told_yaw.value;
   WeldSection section;
-  section.yaw = yaw;
+  section.yaw = yaw, section.yaw_sigma = told_yaw.sigma;
   section.reference = SectionReference::ParentLines;
   if (grid.rows == 0)
     return section;
@@ -107,6 +109,8 @@ WeldSection measureOneRow(const ScanGrid& grid, double yaw, const WeldParams& pa
     kindModel(kind).measure(shape, section);
   refuseDoubtful(params, section);
   refuseDoubtfulParents(params, section);
+  section.yaw_sigma = told_yaw.sigma;
+  addYawUncertainty(shape, section);
   return section;
 }
 }  // namespace weld

@@ -111,7 +111,7 @@ cv::Mat1b deepBins(const ComparedScans& scans, const CompareBins& bins, double l
     for (int column = 0; column < bins.columns(); ++column)
     {
       const double least = leastDepth(scans, bins, { row, column }, limit);
-      if (-bins.at(row, column).above > least && changed.taken(row, column) > least)
+      if (CompareBins::depth(bins.at(row, column)) > least && changed.taken(row, column) > least)
         deep(row, column) = 1;
     }
   }
@@ -128,10 +128,10 @@ struct Piece
 void deepen(const CompareBins::Bin& bin, double variance, Piece& piece)
 {
   OverGroundSpot& spot = piece.spot;
-  if (!(spot.depth.value > -bin.above))
+  if (!(spot.depth.value > CompareBins::depth(bin)))
   {
     spot.x = bin.x, spot.y = bin.y;
-    spot.depth = { -bin.above, std::sqrt(variance) };
+    spot.depth = { CompareBins::depth(bin), std::sqrt(variance) };
   }
   spot.area += bin.area;
 }
@@ -194,7 +194,7 @@ ComparedAreas comparedAreas(const ComparedScans& scans, const CompareBins& bins,
     {
       const CompareBins::Bin& bin = bins.at(row, column);
       const double least = leastDepth(scans, bins, { row, column }, limit);
-      areas.low += -bin.above > least && changed.taken(row, column) <= least ? bin.area : 0.0;
+      areas.low += CompareBins::depth(bin) > least && changed.taken(row, column) <= least ? bin.area : 0.0;
       areas.higher += -bin.taken > least && changed.raised(row, column) > least ? bin.area : 0.0;
     }
   }

@@ -33,6 +33,11 @@ WeldResult measureBefore(const Scan& scan, const WeldMeasurer& measurer)
   return result;
 }
 
+double restOf(const WeldParams& params)
+{
+  return params.target == "rest" ? params.rest_height : 0.0;
+}
+
 double medianWidth(const WeldResult& result)
 {
   std::vector<double> widths;
@@ -67,7 +72,7 @@ public:
       grid_(makeGrid(before)),
       maps_(gridMaps(grid_, result_)),
       distance_(distanceToWeld(grid_, maps_.labels)),
-      scans_{ grid_, maps_, distance_, measurer.params().undercut_reach, {}, {}, {}, {}, {} }
+      scans_{ grid_, maps_, distance_, measurer.params().undercut_reach, restOf(measurer.params()), {}, {}, {}, {}, {} }
   {
   }
 

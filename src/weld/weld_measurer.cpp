@@ -1,6 +1,7 @@
 #include "weld_profiler/weld/weld_measurer.h"
 
 #include "measuring.h"
+#include "weld_profiler/core/errors.h"
 
 namespace weld_profiler
 {
@@ -14,8 +15,10 @@ WeldResult WeldMeasurer::measure(const Scan& scan) const
   return weld::Measuring(scan, params_)();
 }
 
-WeldSection WeldMeasurer::measureRow(const Profile& profile, double yaw) const
+WeldSection WeldMeasurer::measureRow(const Profile& profile, const Quantity& yaw) const
 {
+  if (!yaw.measured() || yaw.sigma < 0.0)
+    throw PreconditionError("yaw and its sigma must be numbers");
   WeldSection section = weld::measureOneRow(weld::makeGrid(profile), yaw, params_);
   section.stage = profile.stage;
   return section;

@@ -24,17 +24,18 @@ constexpr int kFrames = 60;
 using Client = actionlib::SimpleActionClient<ScanWeldAction>;
 
 /// 15 mm of the weld's middle.
-SceneParams weldScene()
+SceneParams weldScene(double yaw)
 {
   SceneParams scene = smallScene(kFrames);
   scene.part_start = 0.018;
   scene.plates.misalignment = 0.0003;
+  scene.weld.yaw_deg = yaw * 180.0 / M_PI;
   return scene;
 }
 
 struct WeldChain : Chain
 {
-  explicit WeldChain(const std::string& name) : Chain(name, weldScene())
+  explicit WeldChain(const std::string& name, double yaw = 0.0) : Chain(name, weldScene(yaw))
   {
     manager.set("weld_measurement", "report", false);
     manager.set("weld_measurement", "output", folder.file("welds"));
@@ -60,6 +61,17 @@ std::size_t fieldCount(const sensor_msgs::PointCloud2& cloud, const std::string&
   for (const sensor_msgs::PointField& field : cloud.fields)
     count += field.name == name ? 1 : 0;
   return count;
+}
+
+/// With a width, as they came.
+std::vector<WeldCrossSection> liveSections(const Collector<WeldMeasurement>& measured)
+{
+  std::vector<WeldCrossSection> sections;
+  for (const auto& message : measured.all())
+    if (message->type == WeldMeasurement::LIVE && message->sections.size() == 1 &&
+        std::isfinite(message->sections[0].width.value))
+      sections.push_back(message->sections[0]);
+  return sections;
 }
 
 /// The chain's weld, 10 mm wide, plates 0.3 mm apart in height.
@@ -101,10 +113,11 @@ TEST(WeldNodelet, MeasuresAScanThatEndsAndHandsItToTheGrinder)
   ASSERT_TRUE(chain.call<std_srvs::Trigger>("stop_scan").success);
   ASSERT_TRUE(waitFor([&] { return summaries.size() == 1 && passes.size() == 1 && beads.size() == 1; }));
 
+  const std::vector<WeldCrossSection> live = liveSections(measured);
+  ASSERT_GT(live.size(), 0.8 * kFrames);
   int provisional = 0;
-  for (const auto& live : measured.all())
-    if (live->type == WeldMeasurement::LIVE)
-      provisional += live->sections.size() == 1 && std::abs(live->sections[0].width.value - 0.010) < 0.0005 ? 1 : 0;
+  for (const WeldCrossSection& section : live)
+    provisional += std::abs(section.width.value - 0.010) < 0.0005 ? 1 : 0;
   EXPECT_GT(provisional, 0.8 * kFrames) << "live widths within 0.5 mm of 10 mm";
 
   expectTheWeld(*summaries.all().back());
@@ -117,6 +130,23 @@ TEST(WeldNodelet, MeasuresAScanThatEndsAndHandsItToTheGrinder)
   const std::string welds = chain.folder.file("welds");
   ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(welds); }));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(welds), {}), 1);
+}
+
+TEST(WeldNodelet, TellsTheYawOfARunningScanFromItsOwnRows)
+{
+  const double yaw = 12.0 * M_PI / 180.0;
+  WeldChain chain("/weld_yaw", yaw);
+  chain.loadAll();
+  const Collector<WeldMeasurement> measured(chain.manager.topic("weld"));
+  chain.feedAll();
+  ASSERT_TRUE(waitFor([&] { return measured.size() >= kFrames - 1; })) << measured.size() << " live sections";
+  const std::vector<WeldCrossSection> live = liveSections(measured);
+  ASSERT_GT(live.size(), 0.8 * kFrames);
+  EXPECT_GT(live.front().yaw_sigma, 0.3) << "nothing is known at first";
+  EXPECT_LT(live.back().yaw_sigma, 0.03);
+  EXPECT_NEAR(live.back().yaw, yaw, 3.0 * live.back().yaw_sigma);
+  for (const WeldCrossSection& section : live)
+    EXPECT_LT(std::abs(section.width.value - 0.010), 5.0 * section.width.sigma) << section.stage;
 }
 
 TEST(WeldNodelet, GivesNothingToTheGrinderInAFrameThatIsNotThere)

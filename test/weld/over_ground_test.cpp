@@ -160,6 +160,22 @@ TEST(OverGround, SmallPlacesAreLeftOut)
   EXPECT_TRUE(Ground().compared({ dip }, Eigen::Isometry3d::Identity(), params).over_ground.empty());
 }
 
+TEST(OverGround, InATaperingEndDepthsAreBelowWhatWasThere)
+{
+  // the bead fades out over 6 mm; a rest of 0.5 mm is asked for, all but 0.2 mm is ground off
+  const IdealWeld plain;
+  const auto faded = [&plain](double x, double y) { return plain(x, y) * std::clamp((0.011 - y) / 0.006, 0.0, 1.0); };
+  const auto low = [&faded](double x, double y) { return std::min(faded(x, y), 2e-4); };
+  WeldParams measuring;
+  measuring.target = "rest";
+  measuring.rest_height = 5e-4;
+  const ScanComparison comparison = ScanComparer(measuring).compare(IdealScanner()(faded), longerScanner(34)(low));
+  ASSERT_FALSE(comparison.over_ground.empty());
+  for (const OverGroundSpot& spot : comparison.over_ground)
+    EXPECT_LT(spot.depth.value, 3e-4 + 4.0 * spot.depth.sigma) << "0.3 mm at most is missing";
+  EXPECT_NEAR(comparison.over_ground.front().depth.value, 3e-4, 5e-6);
+}
+
 TEST(OverGround, GrindingToARestLeavesTheRest)
 {
   IdealWeld weld;

@@ -127,7 +127,7 @@ TEST(WeldMeasurer, MeasuresOneRowProvisionally)
   IdealWeld weld;
   weld.yaw = 15.0 * kDegree;
   const Scan scan = IdealScanner()(weld);
-  const WeldSection section = WeldMeasurer().measureRow(scan.rows[30], weld.yaw);
+  const WeldSection section = WeldMeasurer().measureRow(scan.rows[30], { weld.yaw, 0.0 });
   ASSERT_TRUE(section.hasBead());
   EXPECT_NEAR(section.width.value, 0.008, 5e-5);
   EXPECT_NEAR(section.reinforcement.value, 0.0015, 1e-5);

@@ -19,6 +19,7 @@
 #include "weld_profiler/ros/travel_watch.h"
 #include "weld_profiler/ros/weld_files.h"
 #include "weld_profiler/ros/work_queue.h"
+#include "weld_profiler/weld/live_weld.h"
 #include "weld_profiler/weld/weld_evaluation.h"
 
 namespace weld_profiler
@@ -104,6 +105,7 @@ private:
     Order order;
   };
   void onProfile(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  WeldSection measureLive(const Profile& profile);
   void onScanInfo(const ScanInfoConstPtr& info);
   void work();
   sensor_msgs::PointCloud2ConstPtr fetch(const ScanInfo& info);
@@ -120,7 +122,9 @@ private:
   ros::Publisher measured_, summary_, markers_, section_marker_;
   diagnostic_updater::Updater updater_;
   TravelWatch travel_;
-  std::atomic<double> yaw_{ 0.0 };  ///< of the last weld: of the live sections
+
+  std::mutex live_mutex_;  // guards live_
+  LiveWeld live_;          ///< of the scan that is running
 
   mutable std::mutex mutex_;  // guards up to the queue
   Order order_;

@@ -12,7 +12,8 @@
 
 namespace weld_profiler
 {
-/// A place on a surface in the cloud's frame: z = the surface's normal, toward the sensor; x = direction of travel.
+/// A place on a surface in the cloud's frame: z = the surface's normal, toward the sensor; x = travel of the tool,
+/// along the weld toward +y, whichever way the stage ran (back in every other lane of order alternate).
 struct SurfacePose
 {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]

@@ -21,13 +21,14 @@ public:
   /// @throws PreconditionError when a cell lies outside the scan.
   WeldResult measure(const Scan& scan) const;
 
-  /// One provisional section from one profile: what a row shows, times the cosine of the yaw. Nothing is known of the
+  /// One provisional section from one profile: what a row shows, times the cosine of the yaw (of a running scan:
+  /// LiveWeld). Nothing is known of the
   /// neighbours, so it is less certain than a section of measure() and may miss a bead or take another for it.
   /// Misalignment and angle are NaN where a parent is hardly in view.
-  /// @param yaw  of the weld's path against y, where it is known [rad].
+  /// @param yaw  of the weld's path against y, where the row is; its sigma is in what is told [rad].
   /// @return a section without a width where the profile shows no bead.
-  /// @throws PreconditionError when a cell lies outside the profile.
-  WeldSection measureRow(const Profile& profile, double yaw = 0.0) const;
+  /// @throws PreconditionError when a cell lies outside the profile, or a yaw is no number.
+  WeldSection measureRow(const Profile& profile, const Quantity& yaw = { 0.0, 0.0 }) const;
 
   const WeldParams& params() const { return params_; }
 

@@ -29,7 +29,7 @@ struct KindScore
 /// A point of the weld's path: the middle between the toes, seen from above.
 struct WeldPathPoint
 {
-  double s = 0.0;           ///< along the path from where the bead was first seen [m]
+  double s = 0.0;           ///< along the path from the bead's end at the least y [m]
   double x = 0.0, y = 0.0;  ///< in the cloud's frame [m]
   double yaw = 0.0;         ///< against the scan axis y, from +y toward -x [rad]
 };

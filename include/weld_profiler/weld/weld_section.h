@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "weld_profiler/weld/quantity.h"
@@ -32,15 +33,17 @@ struct SectionPoint
 };
 
 /// The dimensions of one cross-section, perpendicular to the weld's path, after the definitions of weld.csv. SI:
-/// metres, square metres, radians. What could not be measured is NaN. Left and right: seen along the direction of
-/// travel, z up.
+/// metres, square metres, radians. What could not be measured is NaN. Left and right: seen along +y of the
+/// cloud's frame, z up, and s and sections rise with y, whichever way the stage ran.
 struct WeldSection
 {
   int section = 0;     ///< index along the weld, from 0
   int row = 0;         ///< nearest row of the scan, from 0
   double stage = 0.0;  ///< stage position of that row [m]
-  double s = 0.0;      ///< along the path, from where the bead was first seen [m]
+  double s = 0.0;      ///< along the path, from the bead's end at the least y [m]
   double yaw = 0.0;    ///< of the path against the scan axis y, from +y toward -x [rad]
+  /// 1-sigma of the yaw, which is in the other sigmas as well; NaN where it is not told by itself [rad]
+  double yaw_sigma = std::numeric_limits<double>::quiet_NaN();
   SectionReference reference = SectionReference::Chord;
 
   Quantity width;          ///< chord of the toes
