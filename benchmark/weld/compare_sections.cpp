@@ -85,9 +85,8 @@ double medianStep(std::vector<double> places)
 /// docs/weld.md it goes on over 2 mm, and over 4 mm more where the sections in between show the width.
 std::vector<std::pair<double, double>> measuredStretches(const std::vector<SectionCase>& sections)
 {
-  std::vector<double> all;
-  for (const SectionCase& section : sections)
-    all.push_back(section.s);
+  std::vector<double> all(sections.size());
+  std::transform(sections.begin(), sections.end(), all.begin(), [](const SectionCase& section) { return section.s; });
   const double step = medianStep(all);
   std::vector<std::pair<double, double>> stretches;
   double last = kNaN;

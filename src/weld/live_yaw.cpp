@@ -73,6 +73,7 @@ Quantity LiveYaw::at(double y) const
     const Eigen::Matrix3d covariance = normal.inverse();
     fit = covariance * right;
     slope_sigma = std::sqrt(covariance(1, 1));
+    residuals.reserve(near.size());
     for (const Middle& middle : near)
       residuals.push_back(middle.x - fit(0) - (middle.y - y) * (fit(1) + (middle.y - y) * fit(2)));
     noise = noiseOf(std::move(residuals));

@@ -82,6 +82,7 @@ WeldPath Measuring::refinedPath(const SeamSections& sections) const
   }
   // toes less certain than the rows show them tell the path worse
   std::vector<double> sigmas;
+  sigmas.reserve(samples.size());
   for (const PathSample& sample : samples)
     sigmas.push_back(sample.sigma);
   return samples.empty() || !(median(std::move(sigmas)) < kRowToeSigma)

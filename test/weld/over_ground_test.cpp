@@ -41,8 +41,9 @@ std::array<double, 4> boxOf(const ScanComparison& comparison, float number)
   {
     if (comparison.spot[i] != number)
       continue;
+    const std::size_t row = i / 1000u;
     const double x = (static_cast<double>(i % 1000u) - 500.0) * scanner.spacing;
-    const double y = static_cast<double>(i / 1000u) * scanner.pitch;
+    const double y = static_cast<double>(row) * scanner.pitch;
     box = { { std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y) } };
   }
   return box;
