@@ -240,6 +240,7 @@ WeldResult Measuring::operator()()
   summarise(*sections_, params_, result);
   fillResultMaps(result);
   result.spots = strays_.spots;
+  dropPoresBeyondEnds(result);
   sayWhatIsMissing(result);
   return result;
 }

@@ -142,6 +142,19 @@ void dropUnfounded(std::vector<WeldSection>& sections)
 }
 }  // namespace
 
+void dropPoresBeyondEnds(WeldResult& result)
+{
+  const auto has_bead = [](const WeldSection& section) { return section.hasBead(); };
+  const auto first = std::find_if(result.sections.begin(), result.sections.end(), has_bead);
+  const auto last = std::find_if(result.sections.rbegin(), result.sections.rend(), has_bead);
+  const auto beyond = [&](const WeldSpot& spot)
+  {
+    return spot.kind == WeldSpot::Kind::Pore &&
+           (first == result.sections.end() || spot.s < first->s || spot.s > last->s);
+  };
+  result.spots.erase(std::remove_if(result.spots.begin(), result.spots.end(), beyond), result.spots.end());
+}
+
 void summarise(const SeamSections& sections, const WeldParams& params, WeldResult& result)
 {
   dropUnfounded(result.sections);

@@ -14,6 +14,10 @@ bool standsOut(const WeldSection& section);
 /// by 3 sigma: no plausible-looking nonsense.
 void refuseDoubtful(const WeldParams& params, WeldSection& section);
 
+/// Where a bead ends the surface falls away: what lies below it before the first section with a bead, or behind the
+/// last, is no pore.
+void dropPoresBeyondEnds(WeldResult& result);
+
 /// Length, measured share, volumes, ripples and statistics of a result whose sections are filled.
 void summarise(const SeamSections& sections, const WeldParams& params, WeldResult& result);
 }  // namespace weld

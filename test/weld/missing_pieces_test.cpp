@@ -121,3 +121,13 @@ TEST(MissingPieces, TellsNoUndercutWhoseBottomMayLieInAHole)
   }
   EXPECT_LT(told, 30) << "most bottoms are not seen";
 }
+
+TEST(MissingPieces, TellsNoPoreWhereABeadEndsAbruptly)
+{
+  const IdealWeld weld;
+  const auto surface = [&weld](double x, double y) { return weld(x, y) * std::clamp((0.0085 - y) / 0.0005, 0.0, 1.0); };
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+  ASSERT_TRUE(result.hasWeld()) << result.reason;
+  EXPECT_GT(result.length.value, 0.0075);
+  EXPECT_TRUE(result.spots.empty()) << result.spots.front().s << ", of " << result.length.value;
+}
