@@ -55,8 +55,12 @@ std::vector<std::uint8_t> knownBead(const SeamSections& sections, const std::vec
   {
     for (end = first; end < count && known[end] == 0;)
       ++end;
+    const bool between = first > 0 && end > first && end < count;
     const auto at = [](auto& of, std::size_t i) { return of.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (first > 0 && end > first && end<count&& * std::min_element(at(shares, first), at(shares, end))> kGone)
+    if (!between)
+      continue;
+    const double lowest = *std::min_element(at(shares, first), at(shares, end));
+    if (lowest > kGone)
       std::fill(at(known, first), at(known, end), static_cast<std::uint8_t>(1));
   }
   return known;
