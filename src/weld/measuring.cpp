@@ -160,7 +160,8 @@ void Measuring::fillSections(WeldResult& result)
     section.stage = scan_.rows[static_cast<std::size_t>(section.row)].stage;
     const bool certain = section.width.sigma <= params_.max_width_sigma;
     // a yaw that is not certain foreshortens by its square's half
-    section.width.sigma = std::hypot(section.width.sigma, 0.5 * section.width.value * square(path_->yawSigma()));
+    const double yaw_sigma = path_->yawSigma(sections_->profile(k).place.y);
+    section.width.sigma = std::hypot(section.width.sigma, 0.5 * section.width.value * square(yaw_sigma));
     model.measure(sections_->shape(k), section);
     standing_out_ += standsOut(section) ? 1 : 0;
     path_doubtful_ = path_doubtful_ || (certain && section.width.sigma > params_.max_width_sigma);

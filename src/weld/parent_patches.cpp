@@ -5,8 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include <Eigen/Dense>
-
+#include "plane_fit.h"
 #include "statistics.h"
 #include "weld_profiler/weld/weld_result.h"
 
@@ -18,49 +17,22 @@ namespace
 {
 constexpr double kPatch = 1.2e-3;      // [m], longer than neighbouring points of a stripe err alike
 constexpr std::size_t kFewPoints = 6;  // less are no patch
-constexpr double kFloor = 1e-6;        // of the scale of a plane's residuals [m]
 
 using PatchKey = std::tuple<int, long, long>;
 
-/// Normal of the plane that most patches of a side lie in (Tukey's biweight).
+/// Normal of the plane that most patches of a side lie in.
 Eigen::Vector3d planeNormal(const std::vector<ParentPatch>& patches, int side)
 {
   std::vector<Eigen::Vector3d> places;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const ParentPatch& patch : patches)
   {
-    if (patch.side != side)
-      continue;
-    places.push_back(patch.middle);
-    mean += patch.middle;
+    if (patch.side == side)
+      places.push_back(patch.middle);
   }
   if (places.size() < 3)
     return Eigen::Vector3d::UnitZ();
-  mean /= static_cast<double>(places.size());
-  Eigen::Vector3d plane = Eigen::Vector3d::Zero();  // height and slopes
-  std::vector<double> weights(places.size(), 1.0), residuals(places.size());
-  constexpr int kSteps = 12;
-  for (int step = 0; step < kSteps; ++step)
-  {
-    Eigen::Matrix3d normal = 1e-12 * Eigen::Matrix3d::Identity();  // a single row of patches has no slope along y
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-      const Eigen::Vector3d from = places[i] - mean, basis(1.0, from.x(), from.y());
-      normal += weights[i] * basis * basis.transpose();
-      right += weights[i] * basis * from.z();
-    }
-    plane = normal.ldlt().solve(right);
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-      const Eigen::Vector3d from = places[i] - mean;
-      residuals[i] = from.z() - plane.dot(Eigen::Vector3d(1.0, from.x(), from.y()));
-    }
-    const double scale = std::max(kFloor, robustSigma(residuals));
-    for (std::size_t i = 0; i < places.size(); ++i)
-      weights[i] = tukey(residuals[i] / scale);
-  }
-  return Eigen::Vector3d(-plane.y(), -plane.z(), 1.0).normalized();
+  const Plane plane = fitPlane(places);
+  return Eigen::Vector3d(-plane.slope.x(), -plane.slope.y(), 1.0).normalized();
 }
 }  // namespace
 

@@ -18,6 +18,8 @@ constexpr Continuation kPlate{ 8e-3, 8e-3, false };  // of a parent that is not 
 constexpr Continuation kToe{ 20e-3, 2e-3, true };    // of a toe, for maps
 constexpr double kCourse = 3e-3;                     // half window of the toes' course [m]
 constexpr std::size_t kCorrelationStep = 4;          // sections from one that tells it to the next
+constexpr double kOff = 4.685;                       // scatters off the plate: Tukey's biweight counts it for nothing
+constexpr double kOddToe = 5e-4;                     // a toe lies this far inside of where the others are [m]
 constexpr double kRoomMargin = 2e-4;                 // a parent is looked at so far beyond where it was last seen [m]
 constexpr double kShortPiece = 0.5;                  // of the median length: such a parent is rather continued
 
@@ -120,22 +122,50 @@ void SeamSections::demoteShort(Side side)
   }
 }
 
-/// Each parent line by its heights at two places, evened out along the weld and continued where it is not in view.
+/// Sets aside what was taken for a parent where the real one leaves the view: it departs from the plate, and its toe
+/// lies inside the bead that the other sections show.
+void SeamSections::demoteOdd(Side side, const Lever& lever, const ParentPlate& plate)
+{
+  const double most = std::max(params_.flatness, kOff * plate.scatter());
+  for (std::size_t k = 0; k < size(); ++k)
+  {
+    ParentFit& fit = parentOf(shapes_[k], side);
+    const double inward = sign(side) * (lever.near - guess_.toe(side, places_[k]));
+    const Line line = plate.lineAt(profiles_[k].place);
+    const double off = std::max(std::abs(fit.line.at(lever.near) - line.at(lever.near)),
+                                std::abs(fit.line.at(lever.far) - line.at(lever.far)));
+    if (fit.valid() && off > most && inward > kOddToe)
+      std::swap(short_parents_[k], fit);
+  }
+}
+
+/// Each parent line by its heights over the plate at two places, evened out along the weld and continued where it is
+/// not in view.
 void SeamSections::smoothParents(Side side)
 {
   std::vector<double> toes;
   for (const double s : places_)
     toes.push_back(guess_.toe(side, s));
-  const double near = median(toes), far = near + sign(side) * kLever;
+  const double toe = median(toes);
+  const Lever lever{ toe, toe + sign(side) * kLever };
+  std::vector<ParentPlate::Piece> pieces;
+  for (std::size_t k = 0; k < size(); ++k)
+  {
+    if (parentOf(shapes_[k], side).valid())
+      pieces.push_back(ParentPlate::Piece{ profiles_[k].place, parentOf(shapes_[k], side).line });
+  }
+  const ParentPlate plate(pieces, lever.near, lever.far);
+  demoteOdd(side, lever, plate);
   AlongWeld near_heights, far_heights;
   ParentFit typical;
-  for (SectionShape& shape : shapes_)
+  for (std::size_t k = 0; k < size(); ++k)
   {
-    const ParentFit& fit = parentOf(shape, side);
-    near_heights.value.push_back(fit.line.at(near));
-    far_heights.value.push_back(fit.line.at(far));
-    near_heights.sigma.push_back(fit.valid() ? fit.sigmaAt(near) : kNaN);
-    far_heights.sigma.push_back(fit.valid() ? fit.sigmaAt(far) : kNaN);
+    const ParentFit& fit = parentOf(shapes_[k], side);
+    const Line base = plate.lineAt(profiles_[k].place);
+    near_heights.value.push_back(fit.line.at(lever.near) - base.at(lever.near));
+    far_heights.value.push_back(fit.line.at(lever.far) - base.at(lever.far));
+    near_heights.sigma.push_back(fit.valid() ? fit.sigmaAt(lever.near) : kNaN);
+    far_heights.sigma.push_back(fit.valid() ? fit.sigmaAt(lever.far) : kNaN);
     if (fit.valid())
       typical = fit;
   }
@@ -154,9 +184,10 @@ void SeamSections::smoothParents(Side side)
     const bool seen = fit.valid();
     if (!seen)
       fit = typical;
-    const double raw = fit.sigmaAt(near);
-    fit.line.slope = (at_far.value[k] - at_near.value[k]) / (far - near);
-    fit.line.height = at_near.value[k] - fit.line.slope * near;
+    const double raw = fit.sigmaAt(lever.near);
+    const Line base = plate.lineAt(profiles_[k].place);
+    const double slope = (at_far.value[k] - at_near.value[k]) / (lever.far - lever.near);
+    fit.line = Line{ base.height + at_near.value[k] - slope * lever.near, base.slope + slope };
     fit.covariance *= square(at_near.sigma[k] / raw);
   }
 }

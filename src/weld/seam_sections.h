@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "along_weld.h"
+#include "parent_plate.h"
 #include "seam_guess.h"
 #include "section_sampler.h"
 #include "section_shape.h"
@@ -40,6 +41,12 @@ private:
   void fit(const std::vector<double>& places, const std::vector<std::uint8_t>& masked);
   void fitParents(Side side);
   void demoteShort(Side side);
+  /// Two places across the weld that tell a parent line: q of them.
+  struct Lever
+  {
+    double near = 0.0, far = 0.0;
+  };
+  void demoteOdd(Side side, const Lever& lever, const ParentPlate& plate);
   void smoothParents(Side side);
   void fitToes();
   void dropLone(Side side);
@@ -53,7 +60,7 @@ private:
   std::vector<double> places_;
   std::vector<SectionProfile> profiles_;
   std::vector<SectionShape> shapes_;
-  std::vector<ParentFit> short_parents_;  ///< of the side in work: in view, but only a short piece
+  std::vector<ParentFit> short_parents_;  ///< of the side in work: in view, but not to be relied on
   std::vector<double> mapped_left_, mapped_right_;
 };
 }  // namespace weld

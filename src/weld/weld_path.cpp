@@ -25,7 +25,13 @@ constexpr int kRounds = 4;
 struct Parabola
 {
   Eigen::Vector3d values = Eigen::Vector3d::Zero();  ///< x, dx/dy, half of the second derivative at the middle
-  double slope_sigma = 0.0;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+
+  /// 1-sigma of dx/dy at d from the middle.
+  double slopeSigma(double d) const
+  {
+    return std::sqrt(std::max(0.0, covariance(1, 1) + 4.0 * d * covariance(1, 2) + 4.0 * d * d * covariance(2, 2)));
+  }
 };
 
 Parabola fitAround(const std::vector<PathSample>& samples, double y)
@@ -57,9 +63,8 @@ Parabola fitAround(const std::vector<PathSample>& samples, double y)
     }
     if (round > 0)
       scale = std::max(robustSigma(std::move(residuals)), kLeastSigma);
-    const Eigen::Matrix3d covariance = normal.inverse();
-    result.values = covariance * right;
-    result.slope_sigma = std::sqrt(covariance(1, 1));
+    result.covariance = normal.inverse();
+    result.values = result.covariance * right;
     if (round == 0)
       scale = 1e3;  // the first residuals are about nothing
   }
@@ -91,20 +96,19 @@ WeldPathPoint between(const WeldPathPoint& a, const WeldPathPoint& b, double s)
 
 WeldPath::WeldPath(const std::vector<PathSample>& samples, double from_y, double to_y, double reach)
 {
-  const double first_y = from_y - std::ceil(reach / kStep) * kStep;
-  const int count = static_cast<int>(std::ceil((to_y + reach - first_y) / kStep)) + 1;
+  first_y_ = from_y - std::ceil(reach / kStep) * kStep;
+  const int count = static_cast<int>(std::ceil((to_y + reach - first_y_) / kStep)) + 1;
   double last_y = std::numeric_limits<double>::quiet_NaN();
   Parabola fit;
   for (int i = 0; i < count; ++i)
   {
-    const double y = first_y + i * kStep;
+    const double y = first_y_ + i * kStep;
     const double inside = std::min(std::max(y, from_y), to_y);
     const double known =
         std::abs(nearestSample(samples, inside) - inside) < 0.25 * kWindow ? inside : nearestSample(samples, inside);
     if (known != last_y)
       fit = fitAround(samples, known);
     last_y = known;
-    yaw_sigma_ = std::max(yaw_sigma_, fit.slope_sigma);
     WeldPathPoint point;
     // beyond its ends a weld bends on for a while, then goes straight
     const double bent = std::min(std::max(y, from_y - kBendOn), to_y + kBendOn);
@@ -113,6 +117,7 @@ WeldPath::WeldPath(const std::vector<PathSample>& samples, double from_y, double
     point.y = y;
     point.x = fit.values(0) + fit.values(1) * d + fit.values(2) * d * d + slope * (y - bent);
     point.yaw = -std::atan(slope);
+    yaw_sigmas_.push_back(fit.slopeSigma(d));
     if (!points_.empty())
       point.s = points_.back().s + std::hypot(point.x - points_.back().x, kStep);
     points_.push_back(point);
@@ -140,6 +145,12 @@ void WeldPath::spaceEvenly(double from_y)
     even.push_back(between(points_[i - 1], points_[i], s));
   }
   points_ = std::move(even);
+}
+
+double WeldPath::yawSigma(double y) const
+{
+  const double place = std::max(0.0, (y - first_y_) / kStep + 0.5);
+  return yaw_sigmas_[std::min(static_cast<std::size_t>(place), yaw_sigmas_.size() - 1)];
 }
 
 double WeldPath::sAt(double y) const

@@ -45,8 +45,10 @@ public:
   /// @param near_s  a guess; the nearer the faster.
   PathPlace locate(double x, double y, double near_s) const;
 
-  double length() const { return length_; }       ///< from the bead's first end to its last
-  double yawSigma() const { return yaw_sigma_; }  ///< of the least certain place within the bead [rad]
+  double length() const { return length_; }  ///< from the bead's first end to its last
+
+  /// 1-sigma of the yaw where the path reaches a y; grows where it is continued [rad].
+  double yawSigma(double y) const;
 
 private:
   /// A point with what locate() needs of the curve there.
@@ -64,7 +66,8 @@ private:
   std::vector<Frame> frames_;          ///< one a point
   double from_s_ = 0.0;
   double length_ = 0.0;
-  double yaw_sigma_ = 0.0;
+  std::vector<double> yaw_sigmas_;  ///< equal steps in y, from first_y_ on
+  double first_y_ = 0.0;
 };
 }  // namespace weld
 }  // namespace weld_profiler
