@@ -210,6 +210,28 @@ TEST_F(CompareScans, RefusesAFolderThatCannotBeWritten)
   EXPECT_TRUE(filesIn("limited").empty());
 }
 
+/// As soon as the report is all that is missing: compare_scans alone, or with its report program as a terminal does.
+TEST_F(CompareScans, InterruptedLeavesTheFolderAsItWas)
+{
+  ASSERT_EQ(compare("--no-report --threshold 0.2 --out ground before.pcd after.pcd").status, 0);
+  const std::string before = text("ground/compare.json");
+  for (const std::string& who : { std::string("$pid"), std::string("-$pid") })
+  {
+    write("interrupt.sh",
+          "set -m\n" WELD_PROFILER_COMMANDS
+          "/compare_scans --out ground before.pcd after.pcd 2> errors &\n"
+          "pid=$!\n"
+          "until [ -e ground/.comparison.partial.$pid/difference.pcd ] || ! kill -0 $pid; do sleep 0.02; done\n"
+          "sleep 0.2\nkill -INT -- " +
+              who + "\nwait $pid\n");
+    const int status = std::system(("cd " + path("") + " && bash interrupt.sh > /dev/null 2>&1").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 130) << who << ": " << text("errors");
+    EXPECT_EQ(text("errors"), "compare_scans: interrupted, nothing was written\n") << who;
+    EXPECT_EQ(filesIn("ground"), (std::vector<std::string>{ "compare.json", "difference.pcd" })) << who;
+    EXPECT_EQ(text("ground/compare.json"), before) << who;
+  }
+}
+
 TEST_F(CompareScans, TeachesItself)
 {
   const CommandResult result = compare("--help");
