@@ -86,7 +86,7 @@ void noteLength(const WeldVerdict& verdict, std::vector<std::string>& notes)
     return;
   if (!(verdict.length > 0.0))
   {
-    notes.emplace_back("one section alone has no length: a limit may be broken there, no level is met by it");
+    notes.emplace_back("one section alone was measured, which has no length: nothing of this weld passes");
     return;
   }
   std::ostringstream text;

@@ -15,7 +15,7 @@ TEST(VerdictInput, OfALoneSectionHasNoLengthAndPassesNothing)
   const WeldVerdict verdict = judged(one, plate(2.0));
   EXPECT_EQ(verdict.verdict, "undecided");
   EXPECT_EQ(verdict.levels[0], Decision::Undecided);
-  EXPECT_TRUE(noted(verdict, "one section alone has no length"));
+  EXPECT_TRUE(noted(verdict, "one section alone was measured, which has no length"));
   one[0].undercut_left.value = 0.12e-3;
   EXPECT_EQ(shortRow(judged(one, plate(2.0))).decision, Decision::Undecided) << "short or not is not known";
   one[0].undercut_left.value = 3e-3;
