@@ -7,6 +7,7 @@
 #include "said.h"
 #include "seam_maps.h"
 #include "seam_summary.h"
+#include "seam_volumes.h"
 #include "statistics.h"
 
 namespace weld_profiler
@@ -202,7 +203,7 @@ void Measuring::sayWhatIsMissing(WeldResult& result) const
              1e3 * (path_->sAt(found_.to_y) - path_->sAt(found_.from_y)),
              " mm of weld that were seen: one section fits, which tells no length, no volume and no grinding; take "
              "a smaller one, or 0 for a section a row"));
-  const double seen = all > 1 ? result.sections.back().s - result.sections.front().s : 0.0;
+  const double seen = all > 1 ? result.sections.back().s - result.sections.front().s + usualStep(result.sections) : 0.0;
   if (told > 0 && result.volume_length < kNearlyAll * seen)
     add(result.reason,
         said("the volumes are of ", 1e3 * result.volume_length, " mm of weld, ", 1e3 * seen, " mm were seen"));
