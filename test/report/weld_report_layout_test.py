@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""That weld_report.py draws nothing over anything."""
+"""What weld_report.py says beside the verdict, on the page and in the picture, and that nothing is drawn over anything."""
+import csv
 import os
 import unittest
 
+from weld_folder import write_csv
 from weld_report_case import WeldReportCase
 
-from report import along, style  # found through report_case
+from report import along, overview, style  # found through report_case
 from report.cut import choose
+from report.verdicts import UNVERIFIED
 from report.weld_folder import WeldFolder
 
 
@@ -16,9 +19,22 @@ class Layout(WeldReportCase):
         folder.chosen = choose(folder)
         return folder
 
+    def picture_says(self):
+        """All text beside the verdict in report.png."""
+        figure = style.page(overview.HEIGHT, overview.WIDTH)
+        overview._head(figure, self.folder_with_chosen())
+        return " ".join(" ".join(text.get_text().split()) for text in figure.texts)
+
     def boxes(self, figure, texts):
         renderer = figure.canvas.get_renderer()
         return [text.get_window_extent(renderer) for text in texts]
+
+    def change_verdict_rows(self, change):
+        with open(self.path("verdict.csv")) as file:
+            rows = list(csv.DictReader(file))
+        for row in rows:
+            change(row)
+        write_csv(self.path("verdict.csv"), list(rows[0]), rows)
 
     def test_limits_outside_are_named_where_nothing_else_is(self):
         self.make()
@@ -45,6 +61,66 @@ class Layout(WeldReportCase):
         highest = axes.transData.transform((0.0, 0.4))[1]
         self.assertGreater(box.y0, highest, "over a value")
         self.assertLessEqual(box.y1, axes.bbox.y1)
+
+    def test_both_say_how_little_was_measured(self):
+        self.make()
+        reason = "59 of 60 sections could not be measured: a toe is hidden; the volumes are of 0.2 mm of weld, 15 mm were seen"
+        notes = ["only 0.2 mm of weld were seen: the verdict is about no more than these",
+                 "limits not checked against a copy of ISO 5817: misalignment"]
+        self.edit(lambda record: (record.update(reason=reason, measured_share=1 / 60),
+                                  record["verdict"].update(overall="undecided", asked_decision="undecided", notes=notes,
+                                                           levels=dict.fromkeys("BCD", "undecided"))))
+        page, picture = self.page().text, self.picture_says()
+        for said in (page, picture):
+            self.assertIn("LEVEL B UNDECIDED", said)
+            self.assertNotIn("MET", said)
+            self.assertIn("59 of 60 sections could not be measured: a toe is hidden.", said)
+            self.assertIn("The volumes are of 0.2 mm of weld, 15 mm were seen.", said)
+            self.assertIn("Only 0.2 mm of weld were seen: the verdict is about no more than these.", said)
+        self.assertNotIn("not checked against", picture, "told by: " + UNVERIFIED)
+        self.assertIn(UNVERIFIED, picture)
+
+    def test_says_by_what_the_level_asked_for_fails_and_what_is_open(self):
+        self.make()
+        self.assertIn("Asked for: level B, which fails by undercut.", self.page().text)
+        self.edit(lambda record: record["verdict"].update(overall="undecided",
+                                                          levels={"B": "fail", "C": "fail", "D": "undecided"}))
+        self.assertIn("Level D is undecided: a limit lies within", self.page().text)
+        self.edit(lambda record: record["verdict"].update(overall="fail", asked="", asked_decision="not_judged"))
+        self.change_verdict_rows(lambda row: row.update(decision="fail") if row["imperfection"] == "misalignment" else None)
+        self.assertIn("Not even level D is met: linear misalignment.", self.picture_says())
+
+    def test_more_than_fits_the_picture_is_said_to_be_on_the_page(self):
+        self.make()
+        self.edit(lambda record: record.update(reason="; ".join("something is missing %d" % i for i in range(30))))
+        picture = self.picture_says()
+        self.assertIn("more in report.html", picture)
+        self.assertIn(UNVERIFIED, picture, "is said however long the rest is")
+        self.assertIn("Something is missing 29.", self.page().text)
+
+    def test_shows_sections_that_were_measured_each_once(self):
+        self.make()
+        for row in self.sections:
+            if row["section"] != 40:
+                row["width_mm"] = ""
+        self.rewrite_sections(lambda row: None)
+        self.assertEqual(choose(WeldFolder(self.folder)), [40])
+
+    def test_a_kind_is_not_said_to_lack_what_it_has_not(self):
+        self.make("fillet")
+        self.rewrite_sections(lambda row: row.update(misalignment_mm="", incomplete_fill_mm=""))
+        self.edit(lambda record: record["statistics"].update(misalignment={"count": 0}, undercut_right={"count": 0}))
+        page = self.page()
+        self.assertNotIn("misalignment", [row[0].split(" [")[0] for row in page.rows if row])
+        self.assertNotIn("misalignment: not measured", page.text)
+        self.assertEqual(page.row("undercut right [mm]")[1], "0")
+
+    def test_what_is_not_judged_rests_on_no_limit(self):
+        self.make()
+        self.change_verdict_rows(lambda row: row.update(source="unverified"))
+        page = self.page()
+        self.assertNotIn(UNVERIFIED, page.row("incorrect weld toe, no. 505")[-1])
+        self.assertIn(UNVERIFIED, page.row("linear misalignment, no. 507")[-1])
 
 
 if __name__ == "__main__":
