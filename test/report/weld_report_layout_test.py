@@ -3,11 +3,12 @@
 import csv
 import os
 import unittest
+from unittest import mock
 
 from weld_folder import write_csv
 from weld_report_case import WeldReportCase
 
-from report import along, overview, style  # found through report_case
+from report import along, overview, plan, style, weld_figures  # found through report_case
 from report.cut import choose
 from report.verdicts import UNVERIFIED
 from report.weld_folder import WeldFolder
@@ -61,6 +62,44 @@ class Layout(WeldReportCase):
         highest = axes.transData.transform((0.0, 0.4))[1]
         self.assertGreater(box.y0, highest, "over a value")
         self.assertLessEqual(box.y1, axes.bbox.y1)
+
+    def test_numbers_of_sections_lie_in_the_map_and_apart(self):
+        self.make()
+        folder = WeldFolder(self.folder)
+        folder.chosen = [0, 1, 30, 32, 59]
+        figure = style.page(4.0)
+        axes = figure.add_axes([0.1, 0.2, 0.6, 0.6])
+        plan.height_map(figure, axes, folder)
+        figure.canvas.draw()
+        numbers = [text for text in axes.texts if text.get_text().isdigit()]
+        self.assertEqual(len(numbers), 10)
+        patches = [text.get_bbox_patch().get_window_extent(figure.canvas.get_renderer()) for text in numbers]
+        for i, box in enumerate(patches):
+            for corner in ((box.x0, box.y0), (box.x1, box.y1)):
+                self.assertTrue(axes.bbox.expanded(1.02, 1.02).contains(*corner), numbers[i].get_text())
+            for other in patches[:i]:
+                self.assertFalse(box.shrunk(0.9, 0.9).overlaps(other.shrunk(0.9, 0.9)), numbers[i].get_text())
+
+    def test_maps_have_room_for_all_that_is_written_beside_them(self):
+        style.prepare()
+        for rows, cells in ((60, 720), (40, 1000), (200, 300)):
+            self.make(rows=rows, cells=cells)
+            folder = self.folder_with_chosen()
+            shape = plan.Plan(folder.grid)
+            for draw in (plan.height_map, plan.removal_map):
+                with mock.patch.object(style, "png", side_effect=lambda figure, dpi: figure):
+                    figure = weld_figures.map_figure(folder, draw, shape.wide())
+                figure.canvas.draw()
+                axes, colours = figure.axes
+                written = [axes.xaxis.label, axes.yaxis.label, axes.get_legend(), colours.yaxis.label]
+                low, high = colours.get_ylim()
+                written += [text for place, text in zip(colours.get_yticks(), colours.get_yticklabels()) if low <= place <= high]
+                self.assertGreater(len(written), 5)
+                for text, box in zip(written, self.boxes(figure, written)):
+                    for corner in ((box.x0, box.y0), (box.x1, box.y1)):
+                        self.assertTrue(figure.bbox.expanded(1.001, 1.001).contains(*corner), (rows, cells, text))
+                label, legend = self.boxes(figure, [axes.xaxis.label, axes.get_legend()])
+                self.assertFalse(label.overlaps(legend), (rows, cells))
 
     def test_both_say_how_little_was_measured(self):
         self.make()
