@@ -29,6 +29,15 @@ protected:
   CommandResult compare(const std::string& arguments) const { return run("compare_scans", arguments); }
   YAML::Node record(const std::string& folder) const { return YAML::LoadFile(path(folder + "/compare.json")); }
 
+  /// The folder NAME from the scene NAME.yaml.
+  void simulateAndScan(const std::string& name) const
+  {
+    ASSERT_EQ(run("simulate_scan", "--scene " + name + ".yaml --out " + name + ".bag").status, 0);
+    const CommandResult result = run("scan_bag", "--no-report --weld-id seam --calibration " + name +
+                                                     ".bag.truth/calibration.yaml --out " + name + " " + name + ".bag");
+    ASSERT_EQ(result.status, 0) << result.errors;
+  }
+
   void refuses(const std::string& arguments, const std::vector<std::string>& words, int status = 1) const
   {
     const CommandResult result = compare("--no-report --out out " + arguments);
@@ -138,13 +147,8 @@ TEST_F(CompareScans, FollowsScanBag)
   write("after.yaml",
         "preset: realistic\nseed: 4\nframe_count: 20\nstart_position: -0.0005\n"
         "weld: {kind: bead_on_plate, start: -0.02, reinforcement: 0.0}\n");
-  for (const std::string name : { "before", "after" })
-  {
-    ASSERT_EQ(run("simulate_scan", "--scene " + name + ".yaml --out " + name + ".bag").status, 0);
-    const CommandResult result = run("scan_bag", "--no-report --weld-id seam --calibration " + name +
-                                                     ".bag.truth/calibration.yaml --out " + name + " " + name + ".bag");
-    ASSERT_EQ(result.status, 0) << result.errors;
-  }
+  simulateAndScan("before");
+  simulateAndScan("after");
   const CommandResult result = compare("--no-report --out ground before after");
   ASSERT_EQ(result.status, 0) << result.errors;
   const YAML::Node json = record("ground");
