@@ -2,7 +2,8 @@
 """Writes the report of a comparison before and after grinding: DIR/report.html and DIR/report.png.
 
 DIR holds compare.json and difference.pcd as compare_scans leaves them (docs/report.md). Both files appear, or neither.
-Exit status: 0 written, 1 bad input (one line says file, cause and remedy), 2 usage.
+Exit status: 0 written, 1 bad input (one line says file, cause and remedy), 2 usage,
+130 interrupted.
 """
 import argparse
 import sys
@@ -25,4 +26,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)

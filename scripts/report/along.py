@@ -7,6 +7,8 @@ from report.plan import axes_height
 
 LOOKS = {"left": {"color": style.LEFT, "linestyle": "-"}, "right": {"color": style.RIGHT, "linestyle": (0, (4, 1.2))}}
 
+STRIP = 0.16  # for a line of text above the values [in]
+
 
 def _with_breaks(s, *columns):
     """NaN put between sections that lie further apart than three usual steps: no line across a hole."""
@@ -131,7 +133,7 @@ def _finish_constant(axes, folder, names, imperfection, ylabel):
 
 
 def finish(axes, folder, beyond=(), last=False):
-    """Frame, places of the drawn sections, legend beside the name of limits that lie outside."""
+    """Frame, places of the drawn sections, legend above; limits that lie outside named in a strip of their own."""
     axes.grid(True)
     axes.set_axisbelow(True)
     for side in ("top", "right"):
@@ -147,8 +149,11 @@ def finish(axes, folder, beyond=(), last=False):
                       textcoords="offset points", fontsize=6.5, ha="center", color=style.GREY)
     handles, labels = axes.get_legend_handles_labels()
     if beyond:
-        axes.annotate("limits outside: " + ", ".join(beyond), (1.0, 1.0), xycoords="axes fraction", xytext=(0, 11),
-                      textcoords="offset points", fontsize=6.5, ha="right", color=style.ALARM)
+        low, high = axes.get_ylim()
+        axes.set_ylim(low, low + (high - low) / max(1.0 - STRIP / axes_height(axes), 0.5))
+        axes.annotate("limits outside: " + ", ".join(beyond), (1.0, 1.0), xycoords="axes fraction", xytext=(-2, -2),
+                      textcoords="offset points", fontsize=6.5, ha="right", va="top", color=style.ALARM,
+                      bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none"})
     if len(handles) > 1:
         axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0 + 0.13 / axes_height(axes)), ncol=len(handles),
                     handlelength=2.2, borderaxespad=0.1)

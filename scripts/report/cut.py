@@ -127,6 +127,8 @@ def choose(folder, most=5):
                         & (np.hypot(*(right - left)[:, :2].T) > 1e-3))[0] if len(folder.sections) else []
     if not len(usable) or folder.cloud is None:
         return []
+    measured = np.isfinite(folder.sections.numbers("width_mm")[usable])
+    usable = usable[measured] if measured.any() else usable  # a section with toes alone shows no dimensions
     near, far = s[usable].min(), s[usable].max()
     wanted = [near + share * (far - near) for share in (0.15, 0.5, 0.85)] + [_deciding(folder)]
     heights = folder.sections.numbers("reinforcement_mm")[usable]
@@ -137,6 +139,6 @@ def choose(folder, most=5):
         if not math.isfinite(place) or len(chosen) >= most:
             continue
         index = int(usable[int(np.abs(s[usable] - place).argmin())])
-        if all(abs(s[index] - s[other]) >= 0.06 * (far - near) for other in chosen):
+        if index not in chosen and all(abs(s[index] - s[other]) >= 0.06 * (far - near) for other in chosen):
             chosen.append(index)
     return sorted(chosen, key=lambda index: s[index])

@@ -38,6 +38,10 @@ class Drawing:
         if root:
             self.low = min(self.low, root[1] - 0.02 * self.size)
         top = cut.crest()
+        along, _ = cut.chord_frame()
+        self.hangs = abs(along[1]) > 0.2  # the chord: its dimensions are written along it, the height between face and width
+        self.clear = 0.16 if self.fillet else 0.12 if self.hangs else 0.10  # of the width over the crest
+        self.above = 0.22 if self.hangs and not self.fillet else 0.15
         self.top = max(top[0][1] if top else 0.0, cut.left[1], cut.right[1])
         if self.fillet:  # the plates rise beside it: no need to follow them
             self.high = min(self.high, self.top + 0.11 * self.size)
@@ -83,7 +87,9 @@ class Drawing:
     def _width(self):
         _, up = self.cut.chord_frame()
         crest = max((self.top - max(self.cut.left[1], self.cut.right[1])) * abs(up[1]), 0.0)
-        clear = crest + (0.20 if self.fillet else 0.10) * self.size
+        if self.hangs and self.cut.crest():
+            crest = float(np.hypot(*np.subtract(*self.cut.crest())))
+        clear = crest + self.clear * self.size
         text = self.text("width_mm", "b")
         if text:
             dimensions.distance(self.axes, self.cut.left, self.cut.right, clear, text)
@@ -91,11 +97,12 @@ class Drawing:
     def _reinforcement(self):
         crest, text = self.cut.crest(), self.text("reinforcement_mm", "h")
         if crest and text:
-            along, _ = self.cut.chord_frame()
+            along, up = self.cut.chord_frame()
             place = self.cut.right[0] + 0.16 * self.size
-            if abs(along[1]) > 0.2:  # a chord that hangs: measured where the crest is
-                dimensions.note(self.axes, 0.5 * (crest[0] + crest[1]), crest[0] + (0.10 * self.size, 0.10 * self.size), text,
-                                ha="left")
+            if self.hangs:  # measured where the crest is
+                clear = 0.45 * self.clear * self.size
+                dimensions.note(self.axes, 0.5 * (crest[0] + crest[1]), crest[0] + clear * up, text,
+                                rotation=math.degrees(math.atan2(along[1], along[0])), rotation_mode="anchor")
             else:
                 foot = crest[1] + along * (place - crest[1][0])
                 dimensions.height(self.axes, (crest[1][0], foot[1]), (crest[0][0], foot[1] + crest[0][1] - crest[1][1]), place,
@@ -156,17 +163,17 @@ class Drawing:
     def _finish(self):
         floor = self.low - 0.13 * self.size
         self.axes.set_xlim(self.low_q, self.high_q)
-        self.axes.set_ylim(floor, max(self.high, self.top) + 0.15 * self.size)
+        self.axes.set_ylim(floor, max(self.high, self.top) + self.above * self.size)
         self.axes.set_aspect("equal")
         self.axes.axis("off")
         bar = 10 ** math.floor(math.log10(0.25 * self.size))
         bar *= 5 if 5 * bar < 0.25 * self.size else 2 if 2 * bar < 0.25 * self.size else 1
         aside = self.high_q - bar - 0.01 * self.size
         # a fillet's plate takes the upper corner: the metal below is free
-        place = (aside, floor + 0.03 * self.size) if self.fillet else (aside, max(self.high, self.top) + 0.10 * self.size)
+        place = (aside, floor + 0.03 * self.size) if self.fillet else (aside, max(self.high, self.top) + (self.above - 0.05) * self.size)
         self.axes.plot([place[0], place[0] + bar], [place[1]] * 2, color=style.INK, linewidth=2.0, solid_capstyle="butt")
         self.axes.text(place[0] + 0.5 * bar, place[1] + 0.012 * self.size, "%g mm" % bar, fontsize=7, ha="center", va="bottom")
 
     def ratio(self):
         """Height over width of what is seen."""
-        return (max(self.high, self.top) - self.low + 0.28 * self.size) / self.size
+        return (max(self.high, self.top) - self.low + (0.13 + self.above) * self.size) / self.size

@@ -25,11 +25,12 @@ th, td { padding: 0.7mm 2mm; text-align: left; border-bottom: 0.4pt solid var(--
 th { border-bottom: 0.8pt solid var(--ink); font-weight: bold; }
 td.n, th.n { text-align: right; white-space: nowrap; }
 tr { break-inside: avoid; } thead { display: table-header-group; }
+table.whole { break-inside: avoid; }
 table.verdicts { font-size: 8.5pt; } table.verdicts td:first-child { min-width: 30mm; }
 table.verdicts td:last-child { min-width: 38mm; } td.at { white-space: nowrap; }
 tr.group td { border-top: 0.8pt solid var(--grey); }
 td.fail { font-weight: bold; background: #dcdcdc; } td.undecided { background: #eeeeee; font-style: italic; }
-.two { display: grid; grid-template-columns: 1fr 1fr; grid-gap: 0 6mm; }
+.two { display: grid; grid-template-columns: 1fr 1fr; grid-gap: 0 6mm; align-items: start; }
 figure { margin: 3mm 0; break-inside: avoid; }
 figure img { max-width: 100%; max-height: 135mm; height: auto; display: block; margin: 0 auto; }
 figure.half img { max-width: 95mm; margin: 0; }

@@ -11,12 +11,17 @@ from report.verdicts import UNVERIFIED, Verdict
 
 WIDTH, HEIGHT, MARGIN = 8.27, 11.69, 0.55  # A4 [in]
 INNER = WIDTH - 2 * MARGIN
-HEAD_LINES = 4  # beside the verdict
+HEAD, LINE, MOST_LINES = 1.02, 0.156, 11  # the lines beside the verdict: where, how far apart [in], how many
+MAPS_END, SECTION_END = 6.05, 8.15  # [in]
+
+
+def page_box(left, top, width, height):
+    """Place on the page in inches, from its upper left."""
+    return [left / WIDTH, 1.0 - (top + height) / HEIGHT, width / WIDTH, height / HEIGHT]
 
 
 def page_axes(figure, left, top, width, height):
-    """Place on the page in inches, from its upper left."""
-    return figure.add_axes([left / WIDTH, 1.0 - (top + height) / HEIGHT, width / WIDTH, height / HEIGHT])
+    return figure.add_axes(page_box(left, top, width, height))
 
 
 def write(figure, left, top, text, **look):
@@ -35,6 +40,7 @@ def shortened(text, length):
 
 
 def _head(figure, folder):
+    """Name and verdict with all that it rests on; where it ends [in]."""
     record, verdict = folder.record, Verdict(folder)
     write(figure, MARGIN, 0.45, shortened(record.text("id") or "Weld without a name", 44), fontsize=16, fontweight="bold")
     kind = KINDS.get(folder.kind, readable(folder.kind))
@@ -43,11 +49,13 @@ def _head(figure, folder):
     dark = verdict.kind == "fail"
     write(figure, MARGIN + 0.12, 1.08, verdict.mark, fontsize=17, fontweight="bold", color="white" if dark else style.INK,
            bbox={"boxstyle": "square,pad=0.3", "facecolor": style.INK if dark else "white", "edgecolor": style.INK})
-    lines = [part for sentence in verdict.why[:3] for part in textwrap.wrap(sentence, 70)]
+    lines = [part for sentence in verdict.why + verdict.missing for part in textwrap.wrap(sentence, 68)]
     last = ["This verdict %s." % UNVERIFIED] if verdict.unverified else []
     last += [verdict.beside(folder)] if folder.has_weld() and verdict.beside(folder) else []
-    lines = lines[:HEAD_LINES - len(last)] + last
-    write(figure, MARGIN + 3.15, 1.02, "\n".join(lines), fontsize=8, linespacing=1.4)
+    room = MOST_LINES - len(last)
+    lines = (lines if len(lines) <= room else lines[:room - 1] + ["… more in report.html"]) + last
+    write(figure, MARGIN + 3.15, HEAD, "\n".join(lines), fontsize=8, linespacing=1.4)
+    return max(HEAD + LINE * len(lines) + 0.1, 1.72)
 
 
 def _numbers(figure, folder, top):
@@ -60,8 +68,11 @@ def _numbers(figure, folder, top):
     for name in ("width", "reinforcement"):
         values = statistics.record(name)
         mean, sigma = 1e3 * values.number("mean"), 1e3 * values.number("mean_sigma")
+        name = "convexity" if folder.kind == "fillet" and name == "reinforcement" else name
         cells.append(("mean " + name, with_uncertainty(mean, sigma, "mm")))
-    cells.append(("sections measured", fixed(100 * record.number("measured_share"), 1, "%")))
+    share, sections = record.number("measured_share"), record.number("sections")
+    of = " of %.0f" % sections if math.isfinite(sections) else ""
+    cells.append(("sections measured", fixed(100 * share, 1, "%") + of))
     for i, (name, value) in enumerate(cells):
         left, down = MARGIN + (i % 3) * INNER / 3, top + (i // 3) * 0.36
         write(figure, left, down, name, fontsize=6.5, color=style.GREY)
@@ -69,46 +80,55 @@ def _numbers(figure, folder, top):
 
 
 def _maps(figure, folder, relief, top, height):
+    """Both views; the room that is left for a cross-section: (left, top, width, height) [in]."""
+    below = (MARGIN, MAPS_END + 0.1, INNER, SECTION_END - MAPS_END - 0.1)
     if folder.grid is None:
         write(figure, MARGIN, top, "The folder holds no points.", fontsize=8)
-        return
+        return below
     shape = plan.Plan(folder.grid)
     wide = shape.wide()
+    tall = folder.kind == "fillet" and folder.chosen  # its cross-section is nearly as high as it is wide
     if wide:
         upper = min(height * 0.46, max(6.0 * shape.ratio + 0.1, 0.85))  # a scan of three rows: room for the axes' names
         axes = page_axes(figure, MARGIN + 0.45, top, INNER - 1.1, upper)
-        lower = page_axes(figure, MARGIN, top + upper + 0.75, INNER, height - upper - 0.75)
+        begin = top + upper + 0.75
+        lower = page_axes(figure, MARGIN, begin, INNER, height - upper - 0.75)
+        if tall:
+            lower.set_position(page_box(MARGIN, begin + 0.4, 0.36 * INNER, 2.0))
+            below = (MARGIN + 0.38 * INNER, begin, 0.62 * INNER, SECTION_END - begin)
     else:
+        if tall:
+            height, below = height - 0.9, (below[0], below[1] - 0.9, below[2], below[3] + 0.9)
         axes = page_axes(figure, MARGIN + 0.42, top, 0.40 * INNER, height - 0.85)
         lower = page_axes(figure, MARGIN + 0.56 * INNER, top, 0.44 * INNER, height)
     plan.height_map(figure, axes, folder, 7 if wide else 3)
     relief.draw(lower)
     if relief.view.exaggeration != 1:
-        lower.text(1.0, 0.0, "heights × %g" % relief.view.exaggeration, transform=lower.transAxes, fontsize=6.5, ha="right",
-                   color=style.GREY)
+        lower.text(1.0, -0.01, "heights × %g" % relief.view.exaggeration, transform=lower.transAxes, fontsize=6.5, ha="right",
+                   va="top", color=style.GREY)
+    return below
 
 
-def _section(figure, folder, top, height):
+def _section(figure, folder, left, top, width, height):
     """The middle one of those in the report."""
     number = len(folder.chosen) // 2
     cut = Cut(folder, folder.chosen[number])
-    axes = page_axes(figure, MARGIN, top, INNER, height)
+    axes = page_axes(figure, left, top, width, height)
     Drawing(axes, folder, cut).draw()
-    write(figure, MARGIN, top + height, "Section %d–%d at s = %s mm, millimetres ± 2σ" % (number + 1, number + 1, fixed(cut.s, 2)),
+    write(figure, left, top + height, "Section %d–%d at s = %s mm, millimetres ± 2σ" % (number + 1, number + 1, fixed(cut.s, 2)),
            fontsize=6.5, color=style.GREY)
 
 
 def overview(folder, relief):
     """The bytes of report.png."""
     figure = style.page(HEIGHT, WIDTH)
-    _head(figure, folder)
-    top = 1.72
+    top = _head(figure, folder)
     if folder.has_weld():
         _numbers(figure, folder, top)
         top += 0.88
-    _maps(figure, folder, relief, top, 3.45 if folder.chosen else 5.5)
+    room = _maps(figure, folder, relief, top, (MAPS_END if folder.chosen else SECTION_END) - top)
     if folder.chosen:
-        _section(figure, folder, 6.15, 2.0)
+        _section(figure, folder, *room)
     if folder.has_weld() and len(folder.sections):
         axes = page_axes(figure, MARGIN + 0.5, 8.6, INNER - 0.75, 0.85)
         along.draw_width(axes, folder)

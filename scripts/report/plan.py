@@ -7,6 +7,7 @@ from report import style
 from report.cloud import UNDERCUT
 from report.grid import colours_of, shaded
 
+CIRCLE = 0.22  # diameter of a section's number [in]
 OUTLINE = [patheffects.withStroke(linewidth=2.6, foreground="white")]
 
 
@@ -119,13 +120,23 @@ def draw_spots(axes, plan, folder):
 def draw_places(axes, plan, folder):
     """Where the sections that are shown lie, marked as in a drawing: 1-1, 2-2."""
     left, right = folder.toes()
+    circle = circle_size(axes, plan)
+    near = circle[0 if plan.lying else 1]
+    last, out = -np.inf, 0
     for number, index in enumerate(folder.chosen, 1):
         across = right[index, :2] - left[index, :2]
-        ends = [left[index, :2] - 0.35 * across, right[index, :2] + 0.35 * across]
+        middle = 0.5 * (left[index, :2] + right[index, :2])
+        out = out + 1 if middle[1] - last < near else 0  # too near to the one before: further out
+        last = middle[1]
+        aside = 0.35 * across + out % 3 * 1.1 * circle[1 if plan.lying else 0] * across / np.hypot(*across)
+        ends = [left[index, :2] - aside, right[index, :2] + aside]
         h, v = plan.place(np.array([e[0] for e in ends]), np.array([e[1] for e in ends]))
         axes.plot(h, v, color=style.INK, linewidth=0.9, linestyle=(0, (9, 2, 2, 2)), path_effects=OUTLINE)
+        box = plan.box()
         for end in (0, 1):
-            axes.text(h[end], v[end], str(number), fontsize=8.5, fontweight="bold", ha="center", va="center", clip_on=True,
+            axes.text(np.clip(h[end], box[0] + 0.5 * circle[0], box[1] - 0.5 * circle[0]),
+                      np.clip(v[end], box[2] + 0.5 * circle[1], box[3] - 0.5 * circle[1]), str(number), fontsize=8.5, fontweight="bold",
+                      ha="center", va="center", clip_on=True,
                       bbox={"boxstyle": "circle,pad=0.18", "facecolor": "white", "edgecolor": style.INK, "linewidth": 0.7})
 
 
@@ -146,8 +157,17 @@ def legend(axes, columns):
     handles, labels = axes.get_legend_handles_labels()
     once = dict(zip(labels, handles))
     if once:
-        axes.legend(list(once.values()), list(once), loc="upper center", bbox_to_anchor=(0.5, -0.34 / axes_height(axes)),
+        axes.apply_aspect()
+        axes.legend(list(once.values()), list(once), loc="upper center", bbox_to_anchor=(0.5, -0.37 / axes_height(axes)),
                     ncol=columns, handlelength=2.6, columnspacing=1.6, borderaxespad=0.0)
+
+
+def circle_size(axes, plan):
+    """A section's number along the page and up it [mm]."""
+    axes.apply_aspect()
+    box, place = plan.box(), axes.get_position()
+    scales = ((box[1] - box[0]) / (place.width * axes.figure.get_figwidth()), (box[3] - box[2]) / axes_height(axes))
+    return [CIRCLE * scale for scale in (scales if axes.get_aspect() == "auto" else [max(scales)] * 2)]
 
 
 def axes_height(axes):

@@ -1,7 +1,7 @@
 """How a verdict is worded: the same everywhere it is shown, and never without what it rests on."""
 import math
 
-from report.numbers import readable
+from report.numbers import IMPERFECTIONS, readable
 from report.style import LEVELS
 
 UNVERIFIED = "rests on limits that were not verified"
@@ -26,8 +26,28 @@ def _why_undecided(folder):
     return near_limit + (", and too little of the weld was measured." if seen else ".")
 
 
+def _failed(folder, level):
+    """What decided against a level, `undercut, surface pore`; empty if that is not told."""
+    table, names = folder.verdict, []
+    for imperfection, of, decision in zip(table.texts("imperfection"), table.texts("level"), table.texts("decision")):
+        name = IMPERFECTIONS.get(imperfection, readable(imperfection))
+        if (of, decision) == (level, "fail") and imperfection != "weld" and name not in names:
+            names.append(name)
+    return ", ".join(names)
+
+
+def _missing(folder):
+    """What the measuring says it lacked; which limits were not verified is said elsewhere."""
+    record = folder.record
+    parts = record.text("reason").split("; ") + record.record("verdict").texts("notes")
+    for name in IMPERFECTIONS:
+        parts = [part.replace(name, IMPERFECTIONS[name]) if "_" in name else part for part in parts]
+    return [(part if "_" in part.split(" ")[0] else part[0].upper() + part[1:]) + "."
+            for part in parts if part and not part.startswith("limits not checked")]
+
+
 class Verdict:
-    """`mark`: large; `why`: sentences; `kind`: level, fail, undecided or none."""
+    """`mark`: large; `why`: sentences; `missing`: sentences on what was not measured; `kind`: level, fail, undecided or none."""
 
     def __init__(self, folder):
         record = folder.record.record("verdict")
@@ -35,26 +55,40 @@ class Verdict:
         self.unverified = record.flag("unverified") and bool(overall)
         self.levels = {level: record.record("levels").text(level) for level in LEVELS}
         self.kind = {"fail": "fail", "undecided": "undecided"}.get(overall, "level" if overall in LEVELS else "none")
+        self.missing = []
         if not folder.has_weld():
             self.kind, self.mark = "none", "NO WELD"
             self.why = [folder.record.text("reason") or "no weld was recognised in this scan"]
             self.unverified = False
             return
-        best = {"fail": "Not even level D is met.", "undecided": _why_undecided(folder),
+        decision = record.text("asked_decision")
+        fails = asked in LEVELS and decision == "fail"
+        worst = "" if fails and asked == "D" else _failed(folder, "D")
+        best = {"fail": "Not even level D is met%s." % (": " + worst if worst else ""),
+                "undecided": self._open(folder, asked in LEVELS and decision in ("pass", "fail")),
                 "": "Nothing was measured that decides, or nothing is judged."}
         self.mark = {"fail": "FAILS", "undecided": "UNDECIDED", "": "NOT JUDGED"}.get(overall, "LEVEL " + overall)
         self.why = [best.get(overall, "Level %s is the best level met." % overall)]
-        decision = record.text("asked_decision")
         if asked and decision in ("pass", "fail", "undecided"):
             self.mark = "LEVEL %s %s" % (asked, {"pass": "MET", "fail": "NOT MET", "undecided": "UNDECIDED"}[decision])
             self.kind = {"pass": "level"}.get(decision, decision)
         if asked:
-            self.why.insert(0, "Asked for: level %s." % asked)
+            because = _failed(folder, asked) if fails else ""
+            self.why.insert(0, "Asked for: level %s%s." % (asked, ", which fails by " + because if because else ""))
         known = ["%s %s" % (level, readable(decision)) for level, decision in self.levels.items() if decision]
         if known:
             self.why.append("Levels: " + ", ".join(known) + ".")
         if record.text("limits"):
             self.why.append("Limits: %s." % record.text("limits"))
+        self.missing = _missing(folder)
+
+    def _open(self, folder, asked_is_decided):
+        """Why the best level is not known, and beside a decision on the level asked for, which levels that leaves open."""
+        why = _why_undecided(folder)
+        left = [level for level in LEVELS if self.levels[level] == "undecided"]
+        if not asked_is_decided or not left:
+            return why
+        return "Level %s is undecided: %s" % (" and ".join(left), why[0].lower() + why[1:])
 
     def beside(self, folder):
         """What the measured numbers are not about: a sentence, or empty."""

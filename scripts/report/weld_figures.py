@@ -9,6 +9,8 @@ from report.relief import View, exaggeration_for, render
 
 PLOTS = (("undercut_*_mm", "undercut", "undercut [mm]"), ("toe_angle_*_deg", "toe_angle", "toe angle [°]"))
 
+TALLEST = 4.3  # of a cross-section: two of them find room on a page [in]
+
 
 def framed(figure, width, height, box):
     """Axes at (left, bottom, width, height) in inches."""
@@ -19,7 +21,7 @@ def map_figure(folder, draw, wide):
     """A map drawn by draw(figure, axes, folder), over the page or half of it."""
     width = style.PAGE_WIDTH if wide else 0.5 * style.PAGE_WIDTH
     shape = plan.Plan(folder.grid)
-    inner = width - (0.65 if wide else 1.0)
+    inner = width - 1.15  # the axes' names at the left, those of the colours at the right
     tall = shape.height(inner)
     height = tall + (0.85 if wide else 1.0)
     figure = style.page(height, width)
@@ -56,7 +58,9 @@ def section_figure(folder, index):
     cut = Cut(folder, index)
     figure = style.page(1.0)
     drawing = Drawing(figure.add_axes([0, 0, 1, 1]), folder, cut)
-    figure.set_size_inches(style.PAGE_WIDTH, style.PAGE_WIDTH * min(max(drawing.ratio(), 0.15), 1.0))
+    ratio = max(drawing.ratio(), 0.15)
+    height = min(style.PAGE_WIDTH * ratio, TALLEST)
+    figure.set_size_inches(height / ratio, height)
     drawing.draw()
     return style.svg(figure)
 

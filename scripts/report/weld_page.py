@@ -30,7 +30,7 @@ def headline(folder):
 
 def verdict_box(folder):
     verdict = Verdict(folder)
-    why = tag("div", *[tag("div", sentence) for sentence in verdict.why],
+    why = tag("div", *[tag("div", sentence) for sentence in verdict.why + verdict.missing],
               tag("div", tag("span", "This verdict %s." % UNVERIFIED, kind="unverified")) if verdict.unverified else "", kind="why")
     return tag("div", tag("div", verdict.mark, kind="mark"), why, kind="verdict " + verdict.kind)
 
@@ -46,7 +46,7 @@ def not_measured(folder):
     for name, label, _ in weld_tables.SECTION_VALUES:
         if len(table) and table.has(name):
             holes = int(np.isnan(table.numbers(name)).sum())
-            if holes and not (holes == len(table) and name.startswith(("leg", "throat"))):
+            if holes and (holes < len(table) or weld_tables.applies(folder.kind, name)):
                 lines.append("%s: not measured in %s of %d sections" % (label, "all" if holes == len(table) else holes, len(table)))
     for bead in record.records("other_beads"):
         x, near, far, width, height = (fixed(1e3 * bead.number(key), 1) for key in ("x", "y_from", "y_to", "width", "height"))

@@ -16,6 +16,11 @@ SECTION_VALUES = (
     ("incomplete_fill_mm", "incomplete fill", "mm"), ("area_mm2", "area over the chord", "mm²"))
 
 
+def applies(kind, name):
+    """Whether a weld of this kind has such a quantity at all."""
+    return not name.startswith(("misalignment", "incomplete_fill") if kind == "fillet" else ("leg", "throat"))
+
+
 def summary(folder):
     """The weld as a whole."""
     record, rows = folder.record, []
@@ -52,6 +57,8 @@ def statistics(folder):
         scale, unit = numbers.scale_and_unit(name)
         places = 1 if unit == "°" else 3
         count = values.number("count")
+        if not count > 0 and not applies(folder.kind, name):
+            continue
         if not count > 0:
             rows.append(["%s [%s]" % (numbers.readable(name), unit), "0"] + [NONE] * 4)
             continue
@@ -63,7 +70,7 @@ def statistics(folder):
     rows = rows or _from_sections(folder)
     if not rows:
         return html.tag("p", "No statistics: nothing was measured.")
-    return html.table(["along the weld", "sections", "mean ± 2σ", "standard deviation", "least", "largest"], rows, range(1, 6))
+    return html.table(["along the weld", "sections", "mean ± 2σ", "standard deviation", "least", "largest"], rows, range(1, 6), "whole")
 
 
 def verdict(folder):
@@ -79,7 +86,7 @@ def verdict(folder):
         margin_sigma = margin_sigma if math.isfinite(margin_sigma) else sigma
         decision = columns["decision"][i]
         words = numbers.DECISIONS.get(decision, decision)
-        if columns["source"][i] == "unverified":
+        if columns["source"][i] == "unverified" and decision in ("pass", "fail", "undecided"):
             words = html.join(words, html.tag("div", UNVERIFIED, kind="small"))
         places = " ".join(filter(None, ["s %s" % fixed(place[i], 1) if math.isfinite(place[i]) else "", columns["side"][i]]))
         first = name != last
@@ -108,10 +115,10 @@ def sections(folder):
     rows = []
     for name, label, unit in SECTION_VALUES:
         values, sigmas = folder.sections.quantity(name)
-        if folder.sections.has(name) and (np.isfinite(values).any() or not name.startswith(("leg", "throat"))):
+        if folder.sections.has(name) and (np.isfinite(values).any() or applies(folder.kind, name)):
             rows.append(["%s [%s]" % (label, unit)] + [with_uncertainty(values[i], sigmas[i], none=NONE) for i in folder.chosen])
     names = ["section"] + ["%d–%d" % (number, number) for number in range(1, len(folder.chosen) + 1)]
-    return html.table(names, rows, range(1, len(names)))
+    return html.table(names, rows, range(1, len(names)), "whole")
 
 
 def section_verdict(folder, index):

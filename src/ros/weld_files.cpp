@@ -6,6 +6,7 @@
 #include <fstream>
 #include <functional>
 #include <locale>
+#include <regex>
 #include <sstream>
 
 #include "weld_profiler/core/atomic_file.h"
@@ -70,15 +71,40 @@ void writeSpots(const std::vector<WeldSpot>& spots, std::ostream& out)
     out << '\n';
   }
 }
-}  // namespace
 
-void removeWeldFiles(const std::string& directory)
+/// What writeWeldFiles() and writeReport() leave.
+void removeWeldFiles(const fs::path& directory)
 {
   std::error_code ignored;  // who writes there next says what is wrong with the place
   for (const char* name : { "weld.json", "weld.csv", "verdict.csv", "spots.csv", "weld_points.pcd", "bead.ply",
                             "target.ply", "passes.csv", "report.html", "report.png" })
-    if (!fs::is_directory(fs::path(directory) / name, ignored))
-      fs::remove(fs::path(directory) / name, ignored);
+    if (!fs::is_directory(directory / name, ignored))
+      fs::remove(directory / name, ignored);
+}
+}  // namespace
+
+void removeStaleFiles(const std::string& directory, const FreshFiles& fresh)
+{
+  removeWeldFiles(directory);
+  const std::regex cloud("scan(_([0-9]{1,6}))?(\\.(pcd|ply))?");
+  std::vector<fs::path> stale;
+  for (const auto& entry : fs::directory_iterator(directory))
+  {
+    std::smatch match;
+    const std::string name = entry.path().filename().string();
+    const bool folder = entry.is_directory();
+    if (!folder && !fresh.summary && name == "summary.json")
+      stale.push_back(entry.path());
+    if (!std::regex_match(name, match, cloud) || folder == match[3].matched || (folder && !match[1].matched))
+      continue;
+    const std::size_t number = match[2].matched ? std::stoul(match[2].str()) : 1;
+    if (number > fresh.scans)
+      stale.push_back(entry.path());
+    else if (folder)
+      removeWeldFiles(entry.path());
+  }
+  for (const fs::path& path : stale)
+    fs::remove_all(path);
 }
 
 std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& evaluation,

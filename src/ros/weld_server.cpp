@@ -222,6 +222,7 @@ try
       job.order.weld_id.empty() ? "scan_" + std::to_string(job.info->header.stamp.toNSec()) : job.order.weld_id;
   const fs::path directory = fs::absolute(fs::path(params_.output) / folder);
   fs::create_directories(directory);
+  removeStaleFiles(directory.string(), FreshFiles{});
   const WeldRecordInfo info{ job.order.weld_id,
                              { job.info->calibration, job.info->calibration_hash, job.info->calibration_date } };
   outcome.files = writeWeldFiles(scan, evaluation, job.order.evaluator->settings(), info, directory.string());

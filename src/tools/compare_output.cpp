@@ -146,7 +146,7 @@ void writeComparison(const CompareRecord& record, bool report, const std::string
                   { "spot", comparison.spot } },
                 comparison.cells, (work / "difference.pcd").string(), originOf(record).comments());
   if (report)
-    writeCompareReport(work.string(), directory);
+    runInterruptible([&] { writeCompareReport(work.string(), directory); });
   throwIfInterrupted();
   std::vector<std::string> names = { "compare.json", "difference.pcd", "report.html", "report.png" };
   std::error_code error;

@@ -5,6 +5,8 @@
 #include <new>
 #include <string>
 
+#include "weld_profiler/core/errors.h"
+
 namespace weld_profiler
 {
 namespace
@@ -37,6 +39,19 @@ void throwIfInterrupted()
 {
   if (interrupted != 0)
     throw Interrupted();
+}
+
+void runInterruptible(const std::function<void()>& step)
+{
+  try
+  {
+    step();
+  }
+  catch (const InputError&)
+  {
+    throwIfInterrupted();
+    throw;
+  }
 }
 
 int runCommand(CommandLine& command, int argc, const char* const* argv, const std::function<int()>& body)

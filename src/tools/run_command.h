@@ -27,6 +27,11 @@ public:
 /// @throws Interrupted once SIGINT or SIGTERM came in.
 void throwIfInterrupted();
 
+/// Runs what starts another program. Who interrupts at a terminal interrupts that one too, and it is no fault of
+/// either.
+/// @throws Interrupted instead of an InputError once SIGINT or SIGTERM came in.
+void runInterruptible(const std::function<void()>& step);
+
 /// Reads the command line, runs the body and maps what it throws to an exit status and one line on standard error:
 /// UsageError -> 2, any other exception -> 1. Needs no ROS master.
 /// @param body  returns an ExitStatus.

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <regex>
 
 #include "tools/bag_scan.h"
 #include "tools/params_file.h"
@@ -102,30 +101,6 @@ void writeScans(const BagScanResult& result, const Origin& origin, const std::fi
   }
 }
 
-/// What an earlier run left and this one does not write: clouds, the folders of further welds, and all that was
-/// measured of the welds. Beside this summary it would be taken for this scan's.
-void removeStale(std::size_t scans, const std::filesystem::path& directory)
-{
-  removeWeldFiles(directory.string());
-  const std::regex cloud("scan(_([0-9]{1,6}))?(\\.(pcd|ply))?");
-  std::vector<std::filesystem::path> stale;
-  for (const auto& entry : std::filesystem::directory_iterator(directory))
-  {
-    std::smatch match;
-    const std::string name = entry.path().filename().string();
-    const bool folder = entry.is_directory();
-    if (!std::regex_match(name, match, cloud) || folder == match[3].matched || (folder && !match[1].matched))
-      continue;
-    const std::size_t number = match[2].matched ? std::stoul(match[2].str()) : 1;
-    if (number > scans)
-      stale.push_back(entry.path());
-    else if (folder)
-      removeWeldFiles(entry.path().string());
-  }
-  for (const std::filesystem::path& path : stale)
-    std::filesystem::remove_all(path);
-}
-
 std::size_t pointCount(const BagScanResult& result)
 {
   std::size_t points = 0;
@@ -200,7 +175,7 @@ int scan(const Options& options)
   writeScans(result, Origin{ options.weld_id, "", task.info.calibration.hash, settings }, options.out, output);
   writeSummaryFile(summaryOf(result, params, task.info), options.out, output);
   output.commit();
-  removeStale(result.scans.size(), options.out);
+  removeStaleFiles(options.out, FreshFiles{ result.scans.size(), true });
   if (!options.no_weld)
     measureWelds(result.scans, task);
   return report(result, options);

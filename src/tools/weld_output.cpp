@@ -57,20 +57,6 @@ std::string outcome(const WeldEvaluation& evaluation)
     text += "; grinding: " + evaluation.plan.reason;
   return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
 }
-
-/// Who interrupts at a terminal interrupts the report program too: then it is no fault of the report.
-void drawReport(const std::string& directory)
-{
-  try
-  {
-    writeReport(directory);
-  }
-  catch (const InputError&)
-  {
-    throwIfInterrupted();
-    throw;
-  }
-}
 }  // namespace
 
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
@@ -88,7 +74,7 @@ void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
     writeWeldFiles(scans[i], evaluation, task.evaluator.settings(), task.info, directory);
     throwIfInterrupted();
     if (task.report)
-      drawReport(directory);
+      runInterruptible([&] { writeReport(directory); });
     throwIfInterrupted();
     std::cerr << "weld " << (scans.size() > 1 ? std::to_string(i + 1) + " " : "") << "in " << directory << ": "
               << outcome(evaluation) << "\n";

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "kind_model.h"
+#include "said.h"
 #include "seam_maps.h"
 #include "seam_summary.h"
+#include "seam_volumes.h"
 #include "statistics.h"
 
 namespace weld_profiler
@@ -40,14 +41,6 @@ bool isCrowded(const Strays& strays)
 void add(std::string& reason, const std::string& more)
 {
   reason += (reason.empty() ? "" : "; ") + more;
-}
-
-std::string numbers(const char* before, double first, const char* between, double second, const char* after)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << before << first << between << second << after;
-  return text.str();
 }
 }  // namespace
 
@@ -95,8 +88,8 @@ void Measuring::measureRoughly()
   const SectionSampler sampler(grid_, *found_.path);
   const SeamGuess guess(grid_, found_.track, *found_.path);
   SeamSections rough(sampler, guess, params_);
-  const double step = grid_.rows < kFewRows ? 0.0 : kRoughStep;
-  rough.measureRoughly(sectionPlaces(*found_.path, std::max(step, params_.section_step)));
+  // however far apart sections are asked for: a path through a few of them is not known well enough to measure along
+  rough.measureRoughly(sectionPlaces(*found_.path, grid_.rows < kFewRows ? 0.0 : kRoughStep));
   strays_ = findStrays(grid_, sampler, SeamSurface(rough));
   if (isCrowded(strays_))
     strays_ = findStrays(grid_, sampler, SeamSurface(rough, sampler, strays_.masked));
@@ -142,8 +135,8 @@ bool Measuring::chooseKind(WeldResult& result) const
     result.kind = result.scores.front().kind;
     return true;
   }
-  add(result.reason, numbers("the parents lie as in no known kind of weld: offset ", 1e3 * evidence.offset.value,
-                             " mm, angle ", 57.29578 * evidence.angle.value, " deg"));
+  add(result.reason, said("the parents lie as in no known kind of weld: offset ", 1e3 * evidence.offset.value,
+                          " mm, angle ", 57.29578 * evidence.angle.value, " deg"));
   return false;
 }
 
@@ -205,10 +198,16 @@ void Measuring::sayWhatIsMissing(WeldResult& result) const
   else if (static_cast<double>(told) < kNearlyAll * static_cast<double>(all))
     add(result.reason, std::to_string(all - told) + " of " + std::to_string(all) +
                            " sections could not be measured: a toe is hidden, too flat or not in view there");
-  const double seen = all > 1 ? result.sections.back().s - result.sections.front().s : 0.0;
+  if (all == 1 && params_.section_step > 0.0)
+    add(result.reason,
+        said("section_step ", 1e3 * params_.section_step, " mm is more than the ",
+             1e3 * (path_->sAt(found_.to_y) - path_->sAt(found_.from_y)),
+             " mm of weld that were seen: one section fits, which tells no length, no volume and no grinding; take "
+             "a smaller one, or 0 for a section a row"));
+  const double seen = all > 1 ? result.sections.back().s - result.sections.front().s + usualStep(result.sections) : 0.0;
   if (told > 0 && result.volume_length < kNearlyAll * seen)
     add(result.reason,
-        numbers("the volumes are of ", 1e3 * result.volume_length, " mm of weld, ", 1e3 * seen, " mm were seen"));
+        said("the volumes are of ", 1e3 * result.volume_length, " mm of weld, ", 1e3 * seen, " mm were seen"));
 }
 
 WeldResult Measuring::operator()()

@@ -170,8 +170,9 @@ void summarise(const SeamSections& sections, const WeldParams& params, WeldResul
   }
   if (!result.sections.empty())
     result.measured_share = static_cast<double>(measured) / static_cast<double>(result.sections.size());
-  if (measured > 1)
-    result.length = Quantity{ last - first, std::abs(result.sections[1].s - result.sections[0].s) };
+  const double step = usualStep(result.sections);
+  if (measured > 0 && std::isfinite(step))
+    result.length = Quantity{ last - first + step, step };  // half a step before the first and behind the last, too
   fillVolumes(sections, params, result);
   fillRipples(sections, result);
   fillStatistics(result);

@@ -42,10 +42,8 @@ public:
   AlongIntegral(const SeamSections& sections, const WeldParams& params, const WeldResult& result)
     : places_(sections.places())
   {
-    std::vector<double> steps, areas;
-    for (std::size_t k = 1; k < places_.size(); ++k)
-      steps.push_back(places_[k] - places_[k - 1]);
-    step_ = median(steps);
+    std::vector<double> areas;
+    step_ = usualStep(result.sections);
     near_ = std::max(kBridge * step_, params.max_bridge);
     for (std::size_t k = 0; k < places_.size(); ++k)
     {
@@ -117,6 +115,14 @@ private:
   double step_ = 0.0, near_ = 0.0, scatter_ = 0.0;
 };
 }  // namespace
+
+double usualStep(const std::vector<WeldSection>& sections)
+{
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < sections.size(); ++k)
+    steps.push_back(sections[k].s - sections[k - 1].s);
+  return median(std::move(steps));
+}
 
 void fillVolumes(const SeamSections& sections, const WeldParams& params, WeldResult& result)
 {

@@ -186,7 +186,8 @@ VerdictRow VerdictRows::row(const std::vector<SizeSeries>& all, Imperfection imp
   result.length = 0.0;
   for (const Place& place : medians)
     result.length += place.margin.value < 0.0 ? cells_[place.cell].end - cells_[place.cell].begin : 0.0;
-  if (result.decision == Decision::Pass && result.measured < needed_)
+  if (result.decision == Decision::Pass &&
+      (result.measured < needed_ || !(result.measured > 0.0)))  // of no length nothing is shown
     result.decision = Decision::Undecided;
   if (result.rule == Rule::Short)
     judgeLength(all, medians, result);

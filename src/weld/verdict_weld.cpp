@@ -84,6 +84,11 @@ void noteLength(const WeldVerdict& verdict, std::vector<std::string>& notes)
 {
   if (verdict.length >= kShortWeld)
     return;
+  if (!(verdict.length > 0.0))
+  {
+    notes.emplace_back("one section alone was measured, which has no length: nothing of this weld passes");
+    return;
+  }
   std::ostringstream text;
   text.precision(2);
   text << "only " << verdict.length * kMmPerMetre << " mm of weld were seen: the verdict is about no more than these";

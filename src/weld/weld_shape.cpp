@@ -108,7 +108,8 @@ WeldShape::WeldShape(const Scan& scan, const WeldResult& result, const WeldSurfa
 std::string WeldShape::findPath(const WeldResult& result)
 {
   if (result.path.size() < 2)
-    return "the weld has " + std::to_string(result.path.size()) + " sections, a surface takes two or more";
+    return "the weld has " + std::to_string(result.path.size()) + (result.path.empty() ? " sections" : " section") +
+           ", a surface takes two or more: take a smaller section_step, or 0 for a section a row";
   frame_ = std::make_unique<PathFrame>(result.path);
   std::vector<double> steps;
   for (std::size_t i = 1; i < result.path.size(); ++i)

@@ -1,6 +1,7 @@
 // The whole chain with the weld at its end, in one manager: live sections, the summary, what grinding takes, the
 // action.
 #include <filesystem>
+#include <fstream>
 
 #include <actionlib/client/simple_action_client.h>
 #include <geometry_msgs/PoseArray.h>
@@ -169,6 +170,10 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
 {
   WeldChain chain("/weld_action");
   chain.manager.set("triangulation", "auto_start", false);
+  const std::filesystem::path welds = chain.folder.file("welds");
+  std::filesystem::create_directories(welds / "seam-12" / "scan_2");
+  for (const char* name : { "scan.pcd", "scan.ply", "summary.json", "notes.txt", "scan_2/weld.json" })
+    std::ofstream(welds / "seam-12" / name) << "of an earlier scan";
   chain.loadAll();
   Client client(chain.manager.topic("scan_weld"), true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(10.0)));
@@ -194,6 +199,9 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
     EXPECT_TRUE(std::filesystem::exists(file)) << file;
     EXPECT_NE(file.find("seam-12"), std::string::npos) << file;
   }
+  for (const char* name : { "scan.pcd", "scan.ply", "summary.json", "scan_2" })
+    EXPECT_FALSE(std::filesystem::exists(welds / "seam-12" / name)) << name << " is of another scan";
+  EXPECT_TRUE(std::filesystem::exists(welds / "seam-12" / "notes.txt"));
 }
 
 TEST(WeldNodelet, ABadGoalIsRefusedByName)

@@ -177,4 +177,28 @@ TEST_F(WeldFiles, AnIdIsOneLineOfUtf8)
   EXPECT_NO_THROW(requireWeldId("N\xc3\xa4ht \xe2\x82\xac \xf0\x9f\x94\xa5"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing was written";
 }
+TEST_F(WeldFiles, WhatAnEarlierRunLeftGoesAndWhatIsFreshOrSomebodysStays)
+{
+  namespace fs = std::filesystem;
+  const auto left = [this](const FreshFiles& fresh)
+  {
+    for (const char* folder : { "scan", "scan_2", "scan_3" })
+      fs::create_directory(folder_.file(folder));
+    for (const char* name :
+         { "scan.pcd", "scan.ply", "scan_2.pcd", "scan_3.ply", "summary.json", "weld.json", "report.png", "notes.txt",
+           "scan.txt", "scan/weld.json", "scan_2/weld.csv", "scan_3/notes.txt" })
+      std::ofstream(folder_.file(name)) << "x";
+    removeStaleFiles(folder_.path().string(), fresh);
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+      names.push_back(fs::relative(entry.path(), folder_.path()).string());
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  EXPECT_EQ(left(FreshFiles{ 0, false }),
+            (std::vector<std::string>{ "notes.txt", "scan", "scan.txt", "scan/weld.json" }));
+  EXPECT_EQ(left(FreshFiles{ 2, true }),
+            (std::vector<std::string>{ "notes.txt", "scan", "scan.pcd", "scan.ply", "scan.txt", "scan/weld.json",
+                                       "scan_2", "scan_2.pcd", "summary.json" }));
+}
 }  // namespace weld_profiler

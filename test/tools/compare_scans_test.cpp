@@ -29,6 +29,15 @@ protected:
   CommandResult compare(const std::string& arguments) const { return run("compare_scans", arguments); }
   YAML::Node record(const std::string& folder) const { return YAML::LoadFile(path(folder + "/compare.json")); }
 
+  /// The folder NAME from the scene NAME.yaml.
+  void simulateAndScan(const std::string& name) const
+  {
+    ASSERT_EQ(run("simulate_scan", "--scene " + name + ".yaml --out " + name + ".bag").status, 0);
+    const CommandResult result = run("scan_bag", "--no-report --weld-id seam --calibration " + name +
+                                                     ".bag.truth/calibration.yaml --out " + name + " " + name + ".bag");
+    ASSERT_EQ(result.status, 0) << result.errors;
+  }
+
   void refuses(const std::string& arguments, const std::vector<std::string>& words, int status = 1) const
   {
     const CommandResult result = compare("--no-report --out out " + arguments);
@@ -138,13 +147,8 @@ TEST_F(CompareScans, FollowsScanBag)
   write("after.yaml",
         "preset: realistic\nseed: 4\nframe_count: 20\nstart_position: -0.0005\n"
         "weld: {kind: bead_on_plate, start: -0.02, reinforcement: 0.0}\n");
-  for (const std::string name : { "before", "after" })
-  {
-    ASSERT_EQ(run("simulate_scan", "--scene " + name + ".yaml --out " + name + ".bag").status, 0);
-    const CommandResult result = run("scan_bag", "--no-report --weld-id seam --calibration " + name +
-                                                     ".bag.truth/calibration.yaml --out " + name + " " + name + ".bag");
-    ASSERT_EQ(result.status, 0) << result.errors;
-  }
+  simulateAndScan("before");
+  simulateAndScan("after");
   const CommandResult result = compare("--no-report --out ground before after");
   ASSERT_EQ(result.status, 0) << result.errors;
   const YAML::Node json = record("ground");
@@ -208,6 +212,28 @@ TEST_F(CompareScans, RefusesAFolderThatCannotBeWritten)
   EXPECT_EQ(full.status, 1) << "a disk that is full after 100 kB";
   EXPECT_EQ(full.errorLines(), 1) << full.errors;
   EXPECT_TRUE(filesIn("limited").empty());
+}
+
+/// As soon as the report is all that is missing: compare_scans alone, or with its report program as a terminal does.
+TEST_F(CompareScans, InterruptedLeavesTheFolderAsItWas)
+{
+  ASSERT_EQ(compare("--no-report --threshold 0.2 --out ground before.pcd after.pcd").status, 0);
+  const std::string before = text("ground/compare.json");
+  for (const std::string& who : { std::string("$pid"), std::string("-$pid") })
+  {
+    write("interrupt.sh",
+          "set -m\n" WELD_PROFILER_COMMANDS
+          "/compare_scans --out ground before.pcd after.pcd 2> errors &\n"
+          "pid=$!\n"
+          "until [ -e ground/.comparison.partial.$pid/difference.pcd ] || ! kill -0 $pid; do sleep 0.02; done\n"
+          "sleep 0.2\nkill -INT -- " +
+              who + "\nwait $pid\n");
+    const int status = std::system(("cd " + path("") + " && bash interrupt.sh > /dev/null 2>&1").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 130) << who << ": " << text("errors");
+    EXPECT_EQ(text("errors"), "compare_scans: interrupted, nothing was written\n") << who;
+    EXPECT_EQ(filesIn("ground"), (std::vector<std::string>{ "compare.json", "difference.pcd" })) << who;
+    EXPECT_EQ(text("ground/compare.json"), before) << who;
+  }
 }
 
 TEST_F(CompareScans, TeachesItself)

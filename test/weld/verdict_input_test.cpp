@@ -9,12 +9,17 @@
 
 using namespace weld_profiler;
 
-TEST(VerdictInput, OfALoneSectionHasNoLength)
+TEST(VerdictInput, OfALoneSectionHasNoLengthAndPassesNothing)
 {
   std::vector<WeldSection> one = { goodSection(0.01) };
-  EXPECT_EQ(judged(one, plate(2.0)).verdict, "B");
+  const WeldVerdict verdict = judged(one, plate(2.0));
+  EXPECT_EQ(verdict.verdict, "undecided");
+  EXPECT_EQ(verdict.levels[0], Decision::Undecided);
+  EXPECT_TRUE(noted(verdict, "one section alone was measured, which has no length"));
   one[0].undercut_left.value = 0.12e-3;
   EXPECT_EQ(shortRow(judged(one, plate(2.0))).decision, Decision::Undecided) << "short or not is not known";
+  one[0].undercut_left.value = 3e-3;
+  EXPECT_EQ(judged(one, plate(2.0)).verdict, "fail") << "what is beyond a limit is so in one section too";
 }
 
 TEST(VerdictInput, DoesNotPassWhatIsMostlyNotMeasured)

@@ -166,14 +166,6 @@ TEST(WeldMeasurer, SaysTheSameHoweverRowsAndCellsAreOrdered)
   EXPECT_EQ(a.labels[10u * 1000u + 480u], b.labels[49u * 1000u + 519u]);
 }
 
-TEST(WeldMeasurer, TakesSectionsAStepApart)
-{
-  WeldParams params;
-  params.section_step = 0.001;
-  const WeldResult result = WeldMeasurer(params).measure(IdealScanner()(IdealWeld()));
-  EXPECT_EQ(result.sections.size(), 12u) << "12 mm, rows 0.2 mm apart";
-}
-
 /// What is said of a weld that is measured as the kind that was asked for.
 std::string saidOf(const IdealWeld& weld, WeldKind kind)
 {

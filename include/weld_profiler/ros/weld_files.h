@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,18 @@ std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& 
                                         const WeldSettings& settings, const WeldRecordInfo& info,
                                         const std::string& directory);
 
-/// Removes what writeWeldFiles() and writeReport() leave: beside another scan they would be taken for its own.
-void removeWeldFiles(const std::string& directory);
+/// What of the scan itself lies in a folder already and is not to be removed.
+struct FreshFiles
+{
+  std::size_t scans = 0;  ///< scan.pcd, scan_2.pcd, ... and the folders scan_2, ...: so many
+  bool summary = false;   ///< summary.json
+};
+
+/// Removes from a folder what an earlier run left: clouds, summary.json, the folders of further welds, and all that
+/// writeWeldFiles() and writeReport() leave, there and in the folders that stay. Beside a new scan it would be taken
+/// for that scan's. Files of other names stay.
+/// @throws std::filesystem::filesystem_error when a cloud or folder cannot be removed.
+void removeStaleFiles(const std::string& directory, const FreshFiles& fresh);
 
 /// The parameters as YAML, one a line.
 std::string settingsText(const WeldSettings& settings);

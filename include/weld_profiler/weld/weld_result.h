@@ -62,7 +62,9 @@ struct WeldResult
   std::vector<WeldPathPoint> path;  ///< one a section
   std::vector<OtherBead> other_beads;
 
-  Quantity length;              ///< of the bead along its path, as far as the scan shows it [m]
+  /// Of the bead along its path, as far as the scan shows it, from the first section with a bead to the last and half a
+  /// step more at either end, as the volumes; sigma = a step [m].
+  Quantity length;
   double measured_share = 0.0;  ///< of the sections, with a width
   Quantity volume;              ///< between face and chord, over the measured sections [m^3]
   Quantity removal_volume;      ///< above the target, without spatter, over the measured sections [m^3]
