@@ -86,6 +86,9 @@ void removeWeldFiles(const fs::path& directory)
 void removeStaleFiles(const std::string& directory, const FreshFiles& fresh)
 {
   removeWeldFiles(directory);
+  // clouds without it were not written with a weld: someone saved them
+  if (!fresh.summary && !fs::exists(fs::path(directory) / "summary.json"))
+    return;
   const std::regex cloud("scan(_([0-9]{1,6}))?(\\.(pcd|ply))?");
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(directory))
@@ -104,7 +107,12 @@ void removeStaleFiles(const std::string& directory, const FreshFiles& fresh)
       removeWeldFiles(entry.path());
   }
   for (const fs::path& path : stale)
-    fs::remove_all(path);
+  {
+    if (fs::is_directory(path))
+      removeWeldFiles(path.string());
+    if (!fs::is_directory(path) || fs::is_empty(path))
+      fs::remove(path);
+  }
 }
 
 std::vector<std::string> writeWeldFiles(const Scan& scan, const WeldEvaluation& evaluation,

@@ -177,17 +177,23 @@ TEST_F(WeldFiles, AnIdIsOneLineOfUtf8)
   EXPECT_NO_THROW(requireWeldId("N\xc3\xa4ht \xe2\x82\xac \xf0\x9f\x94\xa5"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "nothing was written";
 }
+
 TEST_F(WeldFiles, WhatAnEarlierRunLeftGoesAndWhatIsFreshOrSomebodysStays)
 {
   namespace fs = std::filesystem;
+  const auto fill = [this](bool summary)
+  {
+    fs::remove_all(folder_.path());
+    for (const char* folder : { "scan", "scan_2", "scan_3" })
+      fs::create_directories(folder_.file(folder));
+    for (const char* name : { "scan.pcd", "scan.ply", "scan_2.pcd", "scan_3.ply", "weld.json", "report.png",
+                              "notes.txt", "scan.txt", "scan/weld.json", "scan_2/weld.csv", "scan_3/notes.txt" })
+      std::ofstream(folder_.file(name)) << "x";
+    if (summary)
+      std::ofstream(folder_.file("summary.json")) << "x";
+  };
   const auto left = [this](const FreshFiles& fresh)
   {
-    for (const char* folder : { "scan", "scan_2", "scan_3" })
-      fs::create_directory(folder_.file(folder));
-    for (const char* name :
-         { "scan.pcd", "scan.ply", "scan_2.pcd", "scan_3.ply", "summary.json", "weld.json", "report.png", "notes.txt",
-           "scan.txt", "scan/weld.json", "scan_2/weld.csv", "scan_3/notes.txt" })
-      std::ofstream(folder_.file(name)) << "x";
     removeStaleFiles(folder_.path().string(), fresh);
     std::vector<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
@@ -195,10 +201,18 @@ TEST_F(WeldFiles, WhatAnEarlierRunLeftGoesAndWhatIsFreshOrSomebodysStays)
     std::sort(names.begin(), names.end());
     return names;
   };
-  EXPECT_EQ(left(FreshFiles{ 0, false }),
-            (std::vector<std::string>{ "notes.txt", "scan", "scan.txt", "scan/weld.json" }));
+  fill(true);
+  EXPECT_EQ(left(FreshFiles{ 0, false }), (std::vector<std::string>{ "notes.txt", "scan", "scan.txt", "scan/weld.json",
+                                                                     "scan_3", "scan_3/notes.txt" }));
+  fill(true);
   EXPECT_EQ(left(FreshFiles{ 2, true }),
             (std::vector<std::string>{ "notes.txt", "scan", "scan.pcd", "scan.ply", "scan.txt", "scan/weld.json",
-                                       "scan_2", "scan_2.pcd", "summary.json" }));
+                                       "scan_2", "scan_2.pcd", "scan_3", "scan_3/notes.txt", "summary.json" }));
+  fill(false);
+  EXPECT_EQ(
+      left(FreshFiles{ 0, false }),
+      (std::vector<std::string>{ "notes.txt", "scan", "scan.pcd", "scan.ply", "scan.txt", "scan/weld.json", "scan_2",
+                                 "scan_2.pcd", "scan_2/weld.csv", "scan_3", "scan_3.ply", "scan_3/notes.txt" }))
+      << "clouds saved by hand";
 }
 }  // namespace weld_profiler
