@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "evened_toes.h"
 #include "seam_sections.h"
 #include "statistics.h"
 
@@ -20,6 +21,11 @@ constexpr double kBridgedSigma = 2.0;   // a toe told from its neighbours is les
 ToeFit& toeOf(SectionShape& shape, Side side)
 {
   return side == Side::Left ? shape.toe_left : shape.toe_right;
+}
+
+Side otherSide(Side side)
+{
+  return side == Side::Left ? Side::Right : Side::Left;
 }
 
 /// A face may fall from the toe of the higher plate, but not below the chord of the toes: that is no bead's.
@@ -81,12 +87,18 @@ void SeamSections::dropLone(Side side)
 
 AlongWeld SeamSections::smoothToes(Side side)
 {
+  std::vector<ToeQuestion> questions;
+  questions.reserve(size());
+  for (const double s : places_)
+    questions.push_back(ToeQuestion{ side, guess_.toe(side, s), guess_.toe(otherSide(side), s) });
+  evenToes(ToesAlong{ side, places_, profiles_, questions }, params_, shapes_);
   AlongWeld raw;
   for (SectionShape& shape : shapes_)
   {
     const ToeFit& toe = toeOf(shape, side);
-    raw.value.push_back(toe.found ? toe.q : kNaN);
-    raw.sigma.push_back(toe.found ? toe.sigma : kNaN);
+    const bool told = toe.found && !toe.evened;
+    raw.value.push_back(told ? toe.q : kNaN);
+    raw.sigma.push_back(told ? toe.sigma : kNaN);
   }
   AlongWeld smooth = smoothAlong(places_, raw);
   for (std::size_t k = 0; k < size(); ++k)
@@ -94,6 +106,8 @@ AlongWeld SeamSections::smoothToes(Side side)
     ToeFit& toe = toeOf(shapes_[k], side);
     if (!toe.found)
       continue;
+    if (toe.evened)
+      smooth.value[k] = toe.q, smooth.sigma[k] = toe.sigma;
     toe.q = smooth.value[k];
     toe.z = shapes_[k].parent(side).line.at(toe.q);
     toe.sigma = std::hypot(smooth.sigma[k], toe.bias);
