@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "face_window.h"
+#include "mean_outline.h"
 #include "statistics.h"
+#include "toe_unrest.h"
 
 namespace weld_profiler
 {
@@ -13,18 +15,16 @@ namespace weld
 {
 namespace
 {
-constexpr double kApart = 4e-4;       // toes are compared at this distance: half of the shortest ripples' pitch [m]
-constexpr double kRestless = 3e-5;    // scatter that moves toes 0.5 mm outside of their faces inward by 2 um [m]
-constexpr double kReach = 2.5e-3;     // half width that is evened out over: of a wave of 4 mm a tenth is left [m]
-constexpr double kStep = 5e-4;        // from one evened out face to the next [m]
-constexpr double kBetween = 1.25e-3;  // a section this near to others on both sides that show the toe has it, too [m]
-constexpr double kCell = 4e-5;        // that heights are averaged in [m]
-constexpr double kOutside = 3e-3;     // of the toe that the outline is averaged for [m]
-constexpr std::size_t kFewest = 5;    // sections in a mean
-constexpr std::size_t kInner = 2;     // means from one to another that tells how toes change
-constexpr double kShareSeen = 0.3;    // of the sections, that show a place
-constexpr double kWhole = 0.6;        // of the window on either side, that the weld must fill
-constexpr double kShareFound = 0.5;   // of the sections that show the toe: of fewer it is not known to be one
+constexpr double kNear = 1e-5;      // rounding of places [m]
+constexpr double kRestless = 3e-5;  // scatter that moves toes 0.5 mm outside of their faces inward by 2 um [m]
+constexpr double kReach = 2.5e-3;   // half width that is evened out over: of a wave of 4 mm a tenth is left [m] ...
+constexpr double kLeastReach = 1.25e-3;  // ... near an end of the scan: of ripples of 1.2 mm 7 % is left [m]
+constexpr double kStep = 5e-4;           // from one evened out face to the next [m]
+constexpr double kOblique = 0.15;        // a toe that runs at this slope over the path is none of a steady weld
+constexpr std::size_t kFewest = 5;       // sections in a mean
+constexpr std::size_t kInner = 2;        // means from one to another that tells how toes change
+constexpr double kShareSeen = 0.3;       // of the sections, that show a place
+constexpr double kShareFound = 0.5;      // of the sections that show the toe: of fewer it is not known to be one
 constexpr double kFlat = 0.5;   // a face steeper than this meets its parent in one place whatever its ripples [rad]
 constexpr double kAlike = 1.5;  // neighbouring sections share a row: this many count as one
 
@@ -32,55 +32,6 @@ ToeFit& toeOf(SectionShape& shape, Side side)
 {
   return side == Side::Left ? shape.toe_left : shape.toe_right;
 }
-
-/// Heights above the parent line, averaged in cells across the weld.
-class MeanOutline
-{
-public:
-  explicit MeanOutline(const ToeQuestion& question)
-  {
-    const double middle = 0.5 * (question.guess + question.opposite);
-    const double outside = question.guess + sign(question.side) * kOutside;
-    from_ = std::min(middle, outside), to_ = std::max(middle, outside);
-    cells_.resize(static_cast<std::size_t>(std::ceil((to_ - from_) / kCell)) + 1);
-  }
-
-  void add(const SectionProfile& profile, const Line& parent, double weight)
-  {
-    auto i = static_cast<std::size_t>(std::lower_bound(profile.q.begin(), profile.q.end(), from_) - profile.q.begin());
-    for (; i < profile.size() && profile.q[i] < to_; ++i)
-    {
-      if (profile.q[i] < from_)
-        continue;
-      Cell& cell = cells_[static_cast<std::size_t>((profile.q[i] - from_) / kCell)];
-      cell.weight += weight;
-      cell.q += weight * profile.q[i];
-      cell.above += weight * (profile.z[i] - parent.at(profile.q[i]));
-    }
-  }
-
-  /// The outline over a parent line, where as much was seen.
-  SectionProfile above(const Line& parent, double least) const
-  {
-    SectionProfile profile;
-    for (const Cell& cell : cells_)
-    {
-      if (!(cell.weight > least))
-        continue;
-      profile.q.push_back(cell.q / cell.weight);
-      profile.z.push_back(parent.at(profile.q.back()) + cell.above / cell.weight);
-    }
-    return profile;
-  }
-
-private:
-  struct Cell
-  {
-    double weight = 0.0, q = 0.0, above = 0.0;
-  };
-  double from_ = 0.0, to_ = 0.0;
-  std::vector<Cell> cells_;
-};
 
 class Evening
 {
@@ -92,11 +43,19 @@ public:
 
   void operator()()
   {
-    if (!restless())
+    std::vector<double> toes;
+    for (const SectionShape& shape : shapes_)
+      toes.push_back(shape.toe(along_.side).found ? shape.toe(along_.side).q : kNaN);
+    unrest_ = toeUnrest(along_.places, toes);
+    if (std::none_of(unrest_.begin(), unrest_.end(), [](double one) { return std::abs(one) > kRestless; }))
       return;
-    chooseSections();
+    chosen_ = sectionsWithToe(along_.places, toes, along_.begins, along_.ends);
+    for (std::size_t k = 0; k < chosen_.size(); ++k)
+      chosen_[k] = chosen_[k] && shapes_[k].parent(along_.side).valid() ? 1 : 0;
+    leaveEnds();
     for (double s = along_.places.front(); s < along_.places.back(); s += kStep)
       addNode(s);
+    dropOblique();
     if (nodes_.empty())
       return;
     for (std::size_t k = 0; k < shapes_.size(); ++k)
@@ -110,76 +69,71 @@ private:
     ToeFit toe;
   };
 
-  /// Whether the toes scatter along the weld by more than a line through their faces can be trusted with.
-  bool restless() const
+  static bool isNear(const std::vector<double>& places, double s)
   {
-    std::vector<double> differences;
-    std::size_t j = 0;
-    for (std::size_t k = 0; k < shapes_.size(); ++k)
-    {
-      while (j < k && along_.places[k] - along_.places[j + 1] >= kApart)
-        ++j;
-      const ToeFit& toe = shapes_[k].toe(along_.side);
-      const ToeFit& before = shapes_[j].toe(along_.side);
-      if (toe.found && before.found && along_.places[k] - along_.places[j] >= kApart)
-        differences.push_back((toe.q - before.q) * std::sqrt(0.5));
-    }
-    return robustSigma(std::move(differences)) > kRestless;
+    return std::any_of(places.begin(), places.end(), [s](double place) { return std::abs(s - place) < kReach; });
   }
 
-  /// Sections that show the toe, or lie between such.
-  void chooseSections()
+  /// Sections near these places keep the toes that they show themselves.
+  void leave(const std::vector<double>& places)
   {
-    const std::size_t count = shapes_.size();
-    std::vector<double> since(count), until(count);
-    double last = -INFINITY;
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      last = shapes_[k].toe(along_.side).found ? along_.places[k] : last;
-      since[k] = along_.places[k] - last;
-    }
-    last = INFINITY;
-    for (std::size_t k = count; k-- > 0;)
-    {
-      last = shapes_[k].toe(along_.side).found ? along_.places[k] : last;
-      until[k] = last - along_.places[k];
-    }
-    for (std::size_t k = 0; k < count; ++k)
-      chosen_.push_back(shapes_[k].parent(along_.side).valid() && std::max(since[k], until[k]) < kBetween);
+    for (std::size_t k = 0; k < chosen_.size() && !places.empty(); ++k)
+      chosen_[k] = chosen_[k] && !isNear(places, along_.places[k]) ? 1 : 0;
   }
 
+  /// Where a bead begins or ends within the scan its toes run together, which a mean shows too late.
+  void leaveEnds()
+  {
+    std::vector<double> ends;
+    for (std::size_t k = 0; k < chosen_.size(); ++k)
+    {
+      const bool begins = k > 0 ? !chosen_[k - 1] : along_.begins;
+      const bool stops = k + 1 < chosen_.size() ? !chosen_[k + 1] : along_.ends;
+      if (chosen_[k] && (begins || stops))
+        ends.push_back(along_.places[k]);
+    }
+    leave(ends);
+  }
+
+  /// @param s  of a section. Near an end of the weld less is evened out.
   void addNode(double s)
   {
-    const auto from = static_cast<std::size_t>(
-        std::lower_bound(along_.places.begin(), along_.places.end(), s - kReach) - along_.places.begin());
+    const auto first = static_cast<std::size_t>(std::find(chosen_.begin(), chosen_.end(), 1) - chosen_.begin());
+    const auto last = static_cast<std::size_t>(std::find(chosen_.rbegin(), chosen_.rend(), 1) - chosen_.rbegin());
+    if (first + last >= chosen_.size())
+      return;
+    const double room = std::min(s - along_.places[first], along_.places[chosen_.size() - 1 - last] - s);
+    const double reach = std::min(room + kNear, kReach);
+    if (!(reach >= kLeastReach))
+      return;
+    const auto from = static_cast<std::size_t>(std::lower_bound(along_.places.begin(), along_.places.end(), s - reach) -
+                                               along_.places.begin());
     double found = 0.0, all = 0.0;
     std::vector<std::size_t> members;
-    for (std::size_t k = from; k < along_.places.size() && along_.places[k] < s + kReach; ++k)
+    std::vector<double> unrest;
+    for (std::size_t k = from; k < along_.places.size() && along_.places[k] < s + reach; ++k)
     {
       all += 1.0;
       found += shapes_[k].toe(along_.side).found ? 1.0 : 0.0;
+      unrest.push_back(unrest_[k]);
       if (chosen_[k])
         members.push_back(k);
     }
-    if (members.size() < kFewest || found < kShareFound * all)
-      return;
-    // a window that the weld fills on one side only evens out nothing
-    const double before = s - along_.places[members.front()], behind = along_.places[members.back()] - s;
-    if (std::min(before, behind) < kWhole * kReach)
-      return;
-    const auto nearer = [&](std::size_t a, std::size_t b)
-    { return std::abs(along_.places[a] - s) < std::abs(along_.places[b] - s); };
-    fitMean(s, members, *std::min_element(members.begin(), members.end(), nearer));
+    if (members.size() >= kFewest && found >= kShareFound * all && robustSigma(unrest) > kRestless)
+      fitMean(s, reach, members);
   }
 
-  void fitMean(double s, const std::vector<std::size_t>& members, std::size_t nearest)
+  void fitMean(double s, double reach, const std::vector<std::size_t>& members)
   {
+    const auto nearer = [&](std::size_t a, std::size_t b)
+    { return std::abs(along_.places[a] - s) < std::abs(along_.places[b] - s); };
+    const std::size_t nearest = *std::min_element(members.begin(), members.end(), nearer);
     const ToeQuestion& question = along_.questions[nearest];
     MeanOutline mean(question);
     double all = 0.0, squares = 0.0, place = 0.0;
     for (const std::size_t k : members)
     {
-      const double weight = 1.0 - square((along_.places[k] - s) / kReach);
+      const double weight = 1.0 - square((along_.places[k] - s) / reach);
       all += weight, squares += square(weight), place += weight * along_.places[k];
       mean.add(along_.profiles[k], shapes_[k].parent(along_.side).line, weight);
     }
@@ -188,6 +142,22 @@ private:
     const Node node{ place / all, fitToe(mean.above(parent.line, kShareSeen * all), question, parent, params_) };
     if (node.toe.found && std::abs(node.toe.flank) < kFlat)
       nodes_.push_back(node);
+  }
+
+  /// Where a bead begins or ends its toes run together, which a mean shows too late: such sections are left as they
+  /// are.
+  void dropOblique()
+  {
+    std::vector<double> oblique;
+    for (std::size_t i = 1; i < nodes_.size(); ++i)
+    {
+      const double step = nodes_[i].s - nodes_[i - 1].s;
+      if (step < 1.5 * kStep && std::abs(nodes_[i].toe.q - nodes_[i - 1].toe.q) > kOblique * step)
+        oblique.push_back(0.5 * (nodes_[i].s + nodes_[i - 1].s));
+    }
+    const auto beside = [&oblique](const Node& node) { return isNear(oblique, node.s); };
+    nodes_.erase(std::remove_if(nodes_.begin(), nodes_.end(), beside), nodes_.end());
+    leave(oblique);
   }
 
   void settle(std::size_t k)
@@ -200,7 +170,7 @@ private:
         nodes_.begin());
     const Node& a = nodes_[after > 0 ? after - 1 : 0];
     const Node& b = nodes_[std::min(after, nodes_.size() - 1)];
-    if (std::max(a.s - s, s - b.s) > kReach || b.s - a.s > 1.5 * kStep)
+    if (std::max(a.s - s, s - b.s) > kLeastReach + kStep || b.s - a.s > 1.5 * kStep)
       return;
     const double share = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0.0;
     const ToeFit& near = share < 0.5 ? a.toe : b.toe;
@@ -254,6 +224,7 @@ private:
   const WeldParams& params_;
   std::vector<SectionShape>& shapes_;
   std::vector<char> chosen_;
+  std::vector<double> unrest_;  ///< of each toe [m]; NaN where those beside it are not known
   std::vector<Node> nodes_;
 };
 }  // namespace

@@ -15,6 +15,7 @@ struct ToesAlong
   const std::vector<double>& places;            ///< of the sections, rising [m]
   const std::vector<SectionProfile>& profiles;  ///< of each
   const std::vector<ToeQuestion>& questions;    ///< of each: where its toe was looked for
+  bool begins = false, ends = false;            ///< the bead does, within the scan
 };
 
 /// Where a flat face is rippled, the place at which one section's face meets its parent goes in and out with the

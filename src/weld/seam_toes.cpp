@@ -16,6 +16,7 @@ constexpr double kNear = 1e-3;          // sections this near should agree on a 
 constexpr double kAgree = 4.0;          // ... within so many sigmas
 constexpr double kAgreeLeast = 1.5e-4;  // ... and this [m]
 constexpr double kAgreeShare = 0.34;    // of them at least
+constexpr int kEndRows = 6;             // of the scan: a low bead is not recognised in each of its rows
 constexpr double kBridgedSigma = 2.0;   // a toe told from its neighbours is less certain than they
 
 ToeFit& toeOf(SectionShape& shape, Side side)
@@ -91,7 +92,9 @@ AlongWeld SeamSections::smoothToes(Side side)
   questions.reserve(size());
   for (const double s : places_)
     questions.push_back(ToeQuestion{ side, guess_.toe(side, s), guess_.toe(otherSide(side), s) });
-  evenToes(ToesAlong{ side, places_, profiles_, questions }, params_, shapes_);
+  const bool begins = size() > 0 && sampler_.rowsToEnd(profiles_.front().scan_row) > kEndRows;
+  const bool ends = size() > 0 && sampler_.rowsToEnd(profiles_.back().scan_row) > kEndRows;
+  evenToes(ToesAlong{ side, places_, profiles_, questions, begins, ends }, params_, shapes_);
   AlongWeld raw;
   for (SectionShape& shape : shapes_)
   {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statistics.h"
+
 namespace weld_profiler
 {
 namespace weld
@@ -48,10 +50,10 @@ private:
 };
 
 /// The first piece of a rippled face: the arc where the kink blurs it, from there on the section's own points.
-FirstPiece seenPiece(const ToeAngleQuestion& asked, double begin, const Line& line)
+FirstPiece seenPiece(const ToeAngleQuestion& asked, double begin, const Line& line, double height)
 {
   const double inward = -sign(asked.side);
-  FirstPiece piece(begin, line, asked.height);
+  FirstPiece piece(begin, line, height);
   bool inside = true;
   for (double d = 0.0; inside && d < asked.blur; d += kSpacing)
     inside = piece.add(d, asked.toe.face.heightAt(begin + d));
@@ -67,19 +69,26 @@ FirstPiece seenPiece(const ToeAngleQuestion& asked, double begin, const Line& li
   return piece;
 }
 
-/// Of a toe told from evened out faces: where it is not certain, nor is which piece of the ripples is the first.
+/// Of a toe told from evened out faces: where it is not certain, or a ripple's crest comes near to a third of the
+/// height, nor is it which piece is the first.
 Quantity seenAngle(const ToeAngleQuestion& asked, const Line& line)
 {
   const double begin = -sign(asked.side) * asked.toe.q;
-  const FirstPiece piece = seenPiece(asked, begin, line);
-  const FirstPiece before = seenPiece(asked, begin - asked.toe.sigma, line);
-  const FirstPiece after = seenPiece(asked, begin + asked.toe.sigma, line);
-  if (!piece.told() || !before.told() || !after.told())
-    return Quantity();
-  const double noise = std::sqrt(asked.toe.energy / piece.spread());
-  const double place = std::max(std::abs(before.angle() - piece.angle()), std::abs(after.angle() - piece.angle()));
-  const double blur = faceBias(asked.toe.flank) / (0.5 * piece.reached());
-  return Quantity{ piece.angle(), std::sqrt(noise * noise + place * place + blur * blur) };
+  const FirstPiece piece = seenPiece(asked, begin, line, asked.height);
+  const double bias = faceBias(asked.toe.flank);
+  const double rise = std::hypot(bias, std::sqrt(asked.toe.energy)) / kAngleShare;
+  double other = 0.0;
+  for (const double way : { -1.0, 1.0 })
+  {
+    const FirstPiece moved = seenPiece(asked, begin + way * asked.toe.sigma, line, asked.height);
+    const FirstPiece cut = seenPiece(asked, begin, line, asked.height + way * rise);
+    if (!piece.told() || !moved.told() || !cut.told())
+      return Quantity();
+    const double change = std::hypot(moved.angle() - piece.angle(), cut.angle() - piece.angle());
+    other = std::max(other, change);
+  }
+  const double blur = bias / (0.5 * piece.reached());
+  return Quantity{ piece.angle(), std::sqrt(asked.toe.energy / piece.spread() + square(other) + square(blur)) };
 }
 }  // namespace
 
