@@ -16,6 +16,7 @@ constexpr int kAngleSamples = 64;
 constexpr double kAngleFace = 1e-3;        // interfaces: the face's first millimetre ...
 constexpr double kAngleShare = 1.0 / 3.0;  // ... or third of height
 constexpr double kSpacing = 4e-5;          // of the places that stand for points where the kink blurs them [m]
+constexpr double kBent = 0.5;              // a kink that the stripe's windows are shortened at [rad]
 constexpr double kFewest = 2.5;            // places in a regression
 
 /// Regression over the face's first piece, u rising inward from the toe.
@@ -116,7 +117,10 @@ Quantity toeAngle(const ToeAngleQuestion& asked)
   const double half = 0.5 * piece.reached();
   const Eigen::Vector2d middle(begin + half, toe.face.heightAt(begin + half));
   const double angle = piece.told() ? piece.angle() : toe.face.direction(middle);
-  return Quantity{ kPi - (angle - std::atan(line.slope)), kAngleSigmas * toe.face.sigmaDirection(middle, toe.energy) };
+  // what a bent kink's blur leaves is in the factor, a flat one's is wider than the piece
+  const double blur = half > 0.0 ? (faceBias(toe.flank) - faceBias(kBent)) / half : 0.0;
+  const double noise = kAngleSigmas * toe.face.sigmaDirection(middle, toe.energy);
+  return Quantity{ kPi - (angle - std::atan(line.slope)), std::hypot(noise, blur) };
 }
 }  // namespace weld
 }  // namespace weld_profiler
