@@ -26,6 +26,8 @@ constexpr std::size_t kInner = 2;        // means from one to another that tells
 constexpr double kShareSeen = 0.3;       // of the sections, that show a place
 constexpr double kShareFound = 0.5;      // of the sections that show the toe: of fewer it is not known to be one
 constexpr double kFlat = 0.5;   // a face steeper than this meets its parent in one place whatever its ripples [rad]
+constexpr double kLost = 0.25;  // of a steeper face ripples do not take the rise away: no toe is lost to them [rad]
+constexpr double kJump = 5.0;   // unrests that ripples move a toe by at most
 constexpr double kAlike = 1.5;  // neighbouring sections share a row: this many count as one
 
 ToeFit& toeOf(SectionShape& shape, Side side)
@@ -67,6 +69,7 @@ private:
   {
     double s = 0.0;
     ToeFit toe;
+    double unrest = 0.0;  ///< of the toes that it is told in place of [m]
   };
 
   static bool isNear(const std::vector<double>& places, double s)
@@ -119,11 +122,15 @@ private:
       if (chosen_[k])
         members.push_back(k);
     }
-    if (members.size() >= kFewest && found >= kShareFound * all && robustSigma(unrest) > kRestless)
-      fitMean(s, reach, members);
+    const double restless = robustSigma(unrest);
+    if (members.size() < kFewest || found < kShareFound * all || !(restless > kRestless))
+      return;
+    const Node node = meanOf(s, reach, members);
+    if (node.toe.found && std::abs(node.toe.flank) < kFlat)
+      nodes_.push_back(Node{ node.s, node.toe, restless });
   }
 
-  void fitMean(double s, double reach, const std::vector<std::size_t>& members)
+  Node meanOf(double s, double reach, const std::vector<std::size_t>& members)
   {
     const auto nearer = [&](std::size_t a, std::size_t b)
     { return std::abs(along_.places[a] - s) < std::abs(along_.places[b] - s); };
@@ -139,9 +146,7 @@ private:
     }
     ParentFit parent = shapes_[nearest].parent(along_.side);
     parent.scatter *= std::sqrt(std::min(1.0, kAlike * squares / square(all)));
-    const Node node{ place / all, fitToe(mean.above(parent.line, kShareSeen * all), question, parent, params_) };
-    if (node.toe.found && std::abs(node.toe.flank) < kFlat)
-      nodes_.push_back(node);
+    return Node{ place / all, fitToe(mean.above(parent.line, kShareSeen * all), question, parent, params_) };
   }
 
   /// Where a bead begins or ends its toes run together, which a mean shows too late: such sections are left as they
@@ -175,11 +180,14 @@ private:
     const double share = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0.0;
     const ToeFit& near = share < 0.5 ? a.toe : b.toe;
     const double q = a.toe.q + share * (b.toe.q - a.toe.q);
+    ToeFit& toe = toeOf(shapes_[k], along_.side);
+    // what leaves the others is no ripple but the bead's end
+    if (toe.found ? std::abs(toe.q - q) > kJump * std::max(a.unrest, b.unrest) : std::abs(near.flank) > kLost)
+      return;
     const ParentFit& parent = shapes_[k].parent(along_.side);
     const FaceArc face = faceAt(k, q);
     if (!face.valid())
       return;
-    ToeFit& toe = toeOf(shapes_[k], along_.side);
     toe = near;
     toe.sigma = std::hypot(toe.sigma, changeBeyond(s));
     toe.energy = square(parent.scatter) * parent.correlated_cells;

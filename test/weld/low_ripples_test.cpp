@@ -124,6 +124,35 @@ TEST(LowRipples, ABeadThatEndsDoesNotGoOnInItsEvenedFace)
   EXPECT_GE(told, 44);
 }
 
+TEST(LowRipples, ARippledBeadThatEndsJustBeforeTheScanDoesIsNotToldWider)
+{
+  constexpr double kEnd = 0.0190,
+                   kTaper = 0.0005;  // of a scan of 19.8 mm; 0.4 mm before its end it is 0.16 mm narrower
+  const auto widthAt = [](double y)
+  {
+    const double t = std::min(1.0, std::max(0.0, (kEnd - y) / kTaper));
+    return 0.008 * std::sqrt(t * (2.0 - t));
+  };
+  const auto surface = [&](double x, double y)
+  {
+    Crescents face;
+    face.weld.width = widthAt(y);
+    face.weld.height = 0.0008 * face.weld.width / 0.008;
+    face.ripple = 2e-4;
+    return face(x, y);
+  };
+  const WeldResult result = WeldMeasurer().measure(fineRows()(surface));
+  int told = 0;
+  for (const WeldSection& section : result.sections)
+  {
+    if (!section.width.measured())
+      continue;
+    ++told;
+    EXPECT_LT(section.width.value, widthAt(section.row * 2e-4) + 0.2e-3) << "row " << section.row;
+  }
+  EXPECT_GE(told, 85);
+}
+
 TEST(LowRipples, HeightsBetweenMissingRowsAreLessCertain)
 {
   IdealWeld weld;
