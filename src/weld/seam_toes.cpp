@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "evened_toes.h"
 #include "seam_sections.h"
 #include "statistics.h"
 
@@ -15,11 +16,17 @@ constexpr double kNear = 1e-3;          // sections this near should agree on a 
 constexpr double kAgree = 4.0;          // ... within so many sigmas
 constexpr double kAgreeLeast = 1.5e-4;  // ... and this [m]
 constexpr double kAgreeShare = 0.34;    // of them at least
+constexpr int kEndRows = 6;             // of the scan: a low bead is not recognised in each of its rows
 constexpr double kBridgedSigma = 2.0;   // a toe told from its neighbours is less certain than they
 
 ToeFit& toeOf(SectionShape& shape, Side side)
 {
   return side == Side::Left ? shape.toe_left : shape.toe_right;
+}
+
+Side otherSide(Side side)
+{
+  return side == Side::Left ? Side::Right : Side::Left;
 }
 
 /// A face may fall from the toe of the higher plate, but not below the chord of the toes: that is no bead's.
@@ -81,12 +88,20 @@ void SeamSections::dropLone(Side side)
 
 AlongWeld SeamSections::smoothToes(Side side)
 {
+  std::vector<ToeQuestion> questions;
+  questions.reserve(size());
+  for (const double s : places_)
+    questions.push_back(ToeQuestion{ side, guess_.toe(side, s), guess_.toe(otherSide(side), s) });
+  const bool begins = size() > 0 && sampler_.rowsToEnd(profiles_.front().scan_row) > kEndRows;
+  const bool ends = size() > 0 && sampler_.rowsToEnd(profiles_.back().scan_row) > kEndRows;
+  evenToes(ToesAlong{ side, places_, profiles_, questions, begins, ends }, params_, shapes_);
   AlongWeld raw;
   for (SectionShape& shape : shapes_)
   {
     const ToeFit& toe = toeOf(shape, side);
-    raw.value.push_back(toe.found ? toe.q : kNaN);
-    raw.sigma.push_back(toe.found ? toe.sigma : kNaN);
+    const bool told = toe.found && !toe.evened;
+    raw.value.push_back(told ? toe.q : kNaN);
+    raw.sigma.push_back(told ? toe.sigma : kNaN);
   }
   AlongWeld smooth = smoothAlong(places_, raw);
   for (std::size_t k = 0; k < size(); ++k)
@@ -94,6 +109,8 @@ AlongWeld SeamSections::smoothToes(Side side)
     ToeFit& toe = toeOf(shapes_[k], side);
     if (!toe.found)
       continue;
+    if (toe.evened)
+      smooth.value[k] = toe.q, smooth.sigma[k] = toe.sigma;
     toe.q = smooth.value[k];
     toe.z = shapes_[k].parent(side).line.at(toe.q);
     toe.sigma = std::hypot(smooth.sigma[k], toe.bias);

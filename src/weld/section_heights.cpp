@@ -12,6 +12,7 @@ namespace weld
 namespace
 {
 constexpr std::size_t kFewest = 5;     // points in a fit
+constexpr double kParabola = 3.0;      // values that one has
 constexpr double kCourse = 8;          // nodes that tell how the face goes on into a break ...
 constexpr double kFewestOfCourse = 3;  // ... and at least
 constexpr double kHidden = 2.0;        // sigmas by which it may rise higher there before it is said
@@ -26,10 +27,12 @@ struct Moments
 {
   double d[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
   double z[3] = { 0.0, 0.0, 0.0 };
+  double zz = 0.0;
 
   void add(double at, double height)
   {
     double power = 1.0;
+    zz += height * height;
     for (int i = 0; i < 5; ++i)
     {
       d[i] += power;
@@ -55,11 +58,19 @@ bool fitNode(const SectionProfile& profile, std::size_t begin, std::size_t end, 
   const double det = d[0] * c00 + d[1] * c01 + d[2] * c02;
   if (!(det > 0.0) || !(c00 < 10.0 * det))
     return false;
-  node.z = base + (c00 * sums.z[0] + c01 * sums.z[1] + c02 * sums.z[2]) / det;
-  node.bend = 2.0 * (c02 * sums.z[0] + c12 * sums.z[1] + c22 * sums.z[2]) / det / square(kUnit);
-  node.sigma = std::sqrt(energy * c00 / det);
+  const double c11 = d[0] * d[4] - d[2] * d[2];
+  const double a = (c00 * sums.z[0] + c01 * sums.z[1] + c02 * sums.z[2]) / det;
+  const double b = (c01 * sums.z[0] + c11 * sums.z[1] + c12 * sums.z[2]) / det;
+  const double c = (c02 * sums.z[0] + c12 * sums.z[1] + c22 * sums.z[2]) / det;
+  node.z = base + a;
+  node.bend = 2.0 * c / square(kUnit);
+  // what points scatter beyond their noise comes of ripples between rows that are missing: it has one sign on a crest
+  const double squares = sums.zz - a * sums.z[0] - b * sums.z[1] - c * sums.z[2];
+  const double beyond = d[0] > kParabola ? std::max(0.0, squares / (d[0] - kParabola) - energy) : 0.0;
+  node.sigma = std::sqrt(energy * c00 / det + beyond);
   return true;
 }
+
 /// The straight course of the nodes from `begin` on, which lead up to a break, in one direction, as far as they are
 /// seen without another; invalid of too few.
 Line courseOf(const std::vector<HeightNode>& nodes, std::size_t begin, int direction, double step)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "scan_grid.h"
@@ -33,6 +35,12 @@ public:
   PathPlace place(std::size_t point) const
   {
     return PathPlace{ static_cast<double>(places_[point].q), static_cast<double>(places_[point].s) };
+  }
+
+  /// Rows between one of the scan and the scan's nearer end.
+  int rowsToEnd(int scan_row) const
+  {
+    return std::min(std::abs(scan_row - grid_.scan_row.front()), std::abs(scan_row - grid_.scan_row.back()));
   }
 
   /// @param masked   points to leave out, one a point of the grid; empty = none.

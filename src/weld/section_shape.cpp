@@ -5,6 +5,7 @@
 
 #include "section_heights.h"
 #include "statistics.h"
+#include "toe_angle.h"
 #include "undercut.h"
 
 namespace weld_profiler
@@ -210,8 +211,10 @@ SectionValues sectionValues(const SectionProfile& profile, const SectionShape& s
   span.energy = kFaceEnergy * shape.energy();
   fillHeights(localHeights(profile, span), span.step, shape, section);
   section.area = faceArea(profile, shape, params.edge_blur);
-  section.toe_angle_left = toeAngle(shape.toe_left, Side::Left, shape.left.line, section.height_left.value);
-  section.toe_angle_right = toeAngle(shape.toe_right, Side::Right, shape.right.line, section.height_right.value);
+  section.toe_angle_left =
+      toeAngle({ profile, shape.toe_left, Side::Left, shape.left.line, section.height_left.value, params.edge_blur });
+  section.toe_angle_right = toeAngle(
+      { profile, shape.toe_right, Side::Right, shape.right.line, section.height_right.value, params.edge_blur });
   return values;
 }
 }  // namespace weld

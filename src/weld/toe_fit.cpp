@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "face_window.h"
 #include "statistics.h"
 #include "undercut_flank.h"
 
@@ -15,8 +16,6 @@ namespace
 constexpr int kRounds = 5;
 constexpr double kConverged = 1e-6;      // [m]
 constexpr double kOutsideGuess = 3e-3;   // the toe is looked for this far outside its guess [m]
-constexpr double kShareOfWidth = 0.4;    // the face at a toe is at most this share of the weld
-constexpr double kLeastWindow = 3e-4;    // [m]
 constexpr double kStartLevel = 0.15;     // of the face's height: the search begins inside of where it crosses this
 constexpr double kStartHeight = 4.5e-5;  // ... but no higher than this [m]
 constexpr double kSteepest = 1.45;       // a face nearer to upright was not measured [rad]
@@ -29,8 +28,11 @@ constexpr double kToldWell = 1.5e-5;     // a toe better known than this needs n
 constexpr double kShallowest = 0.005;    // one flatter meets its parent nowhere in particular [rad]
 constexpr double kBias = 1.5e-6;         // what the kink's blur leaves in a toe's place, along the parent [m] ...
 constexpr double kBiasCut = 3.6e-6;      // ... where the profile goes on below the parent
-constexpr double kFaceBias = 2e-6;       // ... and in its face, square to it [m]
-constexpr double kCut = 1.5e-5;          // it does, where it lies this far below beside the toe [m]
+constexpr double kFaceBias = 1.9e-6;     // ... and in its face, square to it [m] ...
+constexpr double kFlatBias = 3.5e-6;  // ... where the kink is too flat for the stripe's windows to be shortened there
+constexpr double kFlat = 0.25;        // it is, up to this [rad] ...
+constexpr double kBent = 0.35;        // ... and from here on it is not [rad]
+constexpr double kCut = 1.5e-5;       // it does, where it lies this far below beside the toe [m]
 
 /// The side's profile with u rising inward from the parent to the weld's middle.
 class ToeSearch
@@ -150,26 +152,9 @@ private:
     return i > 0;
   }
 
-  /// The face from beyond the kink's blur inward, what lies near the toe weighing most.
   std::vector<FacePoint> window(double toe) const
   {
-    const Eigen::Vector2d corner(toe, line_.at(toe));
-    const double reach =
-        std::max(params_.edge_blur + kLeastWindow, std::min(params_.face_length, kShareOfWidth * width_));
-    std::vector<FacePoint> chosen;
-    for (const Eigen::Vector2d& point : points_)
-    {
-      if (point.x() < toe || point.x() > toe + reach)
-        continue;
-      const double distance = (point - corner).norm();
-      if (distance < params_.edge_blur || distance > reach)
-        continue;
-      chosen.push_back(FacePoint{ point, 1.0 - 0.8 * square(distance / reach) });
-    }
-    // no guess across a gap: the face must be seen near the toe
-    if (chosen.size() < 6 || (chosen.front().place - corner).norm() > params_.edge_blur + params_.max_gap)
-      chosen.clear();
-    return chosen;
+    return faceWindow(points_, Eigen::Vector2d(toe, line_.at(toe)), faceReach(width_, params_), params_);
   }
 
   bool cutBeside(double toe) const
@@ -199,7 +184,7 @@ private:
     const double doubt = toe.face.sigmaDirection(corner, toe.energy);
     const double steepness = std::abs(std::sin(std::max(std::abs(toe.flank) - doubt, kShallowest)));
     toe.sigma = std::hypot(face, line * std::cos(toe.flank)) / steepness;
-    toe.bias = std::max(cutBeside(place) ? kBiasCut : kBias, kFaceBias / steepness);
+    toe.bias = std::max(cutBeside(place) ? kBiasCut : kBias, faceBias(toe.flank) / steepness);
     toe.found = true;
     lookFromOutside(place, toe);
   }
@@ -235,6 +220,12 @@ private:
   std::vector<double> above_;            ///< of each point, its height above the parent line
 };
 }  // namespace
+
+double faceBias(double flank)
+{
+  const double share = std::min(1.0, std::max(0.0, (std::abs(flank) - kFlat) / (kBent - kFlat)));
+  return kFlatBias + share * (kFaceBias - kFlatBias);
+}
 
 ToeFit fitToe(const SectionProfile& profile, const ToeQuestion& question, const ParentFit& parent,
               const WeldParams& params)

@@ -12,6 +12,7 @@ struct ToeFit
 {
   bool found = false;
   bool bridged = false;     ///< not seen itself: told from the toes on both sides along the weld, the face is not known
+  bool evened = false;      ///< told from a face evened out along the weld; `face` is the section's own
   double q = 0.0, z = 0.0;  ///< [m]
   double sigma = 0.0;       ///< along the parent line, of chance [m]
   double bias = 0.0;        ///< what neighbouring sections err alike: blur of the kink [m]
@@ -19,6 +20,9 @@ struct ToeFit
   FaceArc face;             ///< in the coordinates (inward, z), inward = -sign(side) q
   double energy = 0.0;      ///< variance of a face point times the number of neighbours that share its error [m^2]
 };
+
+/// What the kink's blur leaves in the face beside a toe, square to it [m].
+double faceBias(double flank);
 
 /// What a toe is looked for in.
 struct ToeQuestion
@@ -31,9 +35,5 @@ struct ToeQuestion
 /// Not found where the parent is missing, the face does not rise above it, or too little of the face was measured.
 ToeFit fitToe(const SectionProfile& profile, const ToeQuestion& question, const ParentFit& parent,
               const WeldParams& params);
-
-/// Angle of the toe after ISO 5817 no. 505: pi less that between the parent line and the regression over the first
-/// millimetre of the face, or a third of its height where that is shorter. Taken from the fitted face.
-Quantity toeAngle(const ToeFit& toe, Side side, const Line& parent, double height);
 }  // namespace weld
 }  // namespace weld_profiler
