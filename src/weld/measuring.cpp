@@ -19,8 +19,8 @@ namespace
 constexpr double kRoughStep = 3.5e-4;    // between the sections that path and strays are found with [m]
 constexpr double kNearlyAll = 0.9;       // of the sections: when fewer were measured it is said
 constexpr double kLeastStanding = 0.04;  // of the sections must show a bead beyond doubt
-constexpr double kLargeSpot = 1e-3;      // [m]
 constexpr int kFewRows = 60;             // so few are all looked at
+constexpr double kLargeSpot = 1e-3;      // [m]
 constexpr double kLeastScore = 0.3;      // of a kind, else the weld is of none
 
 std::vector<SectionShape> shapesOf(const SeamSections& sections)
@@ -29,13 +29,6 @@ std::vector<SectionShape> shapesOf(const SeamSections& sections)
   for (std::size_t k = 0; k < sections.size(); ++k)
     shapes.push_back(sections.shape(k));
   return shapes;
-}
-
-/// Whether spots are so large that they drag along the median of the sections, which they are held against.
-bool isCrowded(const Strays& strays)
-{
-  return std::any_of(strays.spots.begin(), strays.spots.end(),
-                     [](const WeldSpot& spot) { return spot.diameter.value > kLargeSpot; });
 }
 
 void add(std::string& reason, const std::string& more)
@@ -89,10 +82,17 @@ void Measuring::measureRoughly()
   const SeamGuess guess(grid_, found_.track, *found_.path);
   SeamSections rough(sampler, guess, params_);
   // however far apart sections are asked for: a path through a few of them is not known well enough to measure along
-  rough.measureRoughly(sectionPlaces(*found_.path, grid_.rows < kFewRows ? 0.0 : kRoughStep));
-  strays_ = findStrays(grid_, sampler, SeamSurface(rough));
-  if (isCrowded(strays_))
-    strays_ = findStrays(grid_, sampler, SeamSurface(rough, sampler, strays_.masked));
+  const std::vector<double> places = sectionPlaces(*found_.path, grid_.rows < kFewRows ? 0.0 : kRoughStep);
+  rough.measureRoughly(places);
+  strays_ = findStrays(grid_, sampler, SeamSurface(rough), {});
+  // large ones drag along the median of the sections, which points are held against
+  if (std::max(strays_.widest_pit, strays_.widest_ball) > kLargeSpot)
+  {
+    // a face that falls into a pit may pass for one that ends at its toe there
+    if (strays_.widest_pit > kLargeSpot)
+      rough.measure(places, strays_.masked);
+    strays_ = findStrays(grid_, sampler, SeamSurface(rough, sampler, strays_.masked), strays_.masked);
+  }
   path_ = std::make_unique<WeldPath>(refinedPath(rough));
 }
 

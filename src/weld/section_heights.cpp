@@ -155,9 +155,12 @@ Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, do
     if (beside || mayRiseTo(nodes, i, line, step) > top + kHidden * nodes[best].sigma)
       return Quantity();
   }
-  // between nodes the surface bends as the fit says
   if (best > 0 && best + 1 < nodes.size())
   {
+    const double behind = nodes[best].q - nodes[best - 1].q, ahead = nodes[best + 1].q - nodes[best].q;
+    if (std::abs(ahead - behind) > 0.5 * std::min(ahead, behind))
+      return Quantity{ top, nodes[best].sigma };  // a break, whose other side tells no bend
+    // between nodes the surface bends as the fit says
     const double before = line.above(nodes[best - 1].q, nodes[best - 1].z);
     const double after = line.above(nodes[best + 1].q, nodes[best + 1].z);
     const double bend = before - 2.0 * top + after;

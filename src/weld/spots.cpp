@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pit_rim.h"
 #include "stray_excess.h"
 
 namespace weld_profiler
@@ -17,20 +18,22 @@ constexpr double kWidest = 4e-3;      // [m]
 constexpr double kClear = 1.5;        // tolerances that a spot's top must reach
 constexpr double kRim = 1.3e-4;       // around a stray the surface is blurred with it [m]
 constexpr double kOfTolerance = 0.5;  // the foot of a stray reaches down to this share of the tolerance
+// of a pore's rim must be seen on the face: what is open to a side may as well be the gap between two balls of spatter,
+// the toe's kink, or the edge of what is hidden; a pore of 1 mm that begins at a toe has 0.8 of its rim on the face
+constexpr double kRimSeen = 0.8;
+// of its diameter: laser and camera look into a hole at 27 deg to each other or more, and see its walls further down
+constexpr double kDeepest = 2.0;
 
 class StraySearch
 {
 public:
-  StraySearch(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface)
-    : grid_(grid), sampler_(sampler)
+  StraySearch(const ScanGrid& grid, const SectionSampler& sampler, StrayExcess found)
+    : grid_(grid), sampler_(sampler), found_(std::move(found)), excess_(found_.tolerances)
   {
-    StrayExcess found = strayExcess(grid, sampler, surface);
-    excess_ = std::move(found.tolerances);
-    height_ = std::move(found.height);
-    on_face_ = std::move(found.on_face);
   }
 
-  Strays operator()()
+  /// @param without  points known to be strays; empty = none.
+  Strays operator()(const std::vector<std::uint8_t>& without)
   {
     Strays strays;
     strays.kind.assign(grid_.z.size(), Stray::None);
@@ -41,6 +44,8 @@ public:
       if (seen_[i] == 0 && std::abs(excess_[i]) > 1.0F)
         takeSpot(i, strays);
     }
+    judgePits(strays);
+    keep(without, strays);
     std::sort(strays.spots.begin(), strays.spots.end(), [](const WeldSpot& a, const WeldSpot& b) { return a.s < b.s; });
     return strays;
   }
@@ -71,50 +76,111 @@ private:
     return spot;
   }
 
-  void takeSpot(std::size_t start, Strays& strays)
+  /// A spot with the extent of its points.
+  struct Found
   {
-    const std::vector<std::size_t> points = connected(start);
     WeldSpot spot;
-    bool on_face = false;
-    double top = 0.0, least_x = INFINITY, most_x = -INFINITY, least_y = INFINITY, most_y = -INFINITY;
+    double top = 0.0;      ///< tolerances
+    double extent = 0.0;   ///< the larger of those along x and y [m]
+    double hidden = 0.0;   ///< by which it may be wider than seen [m]
+    bool on_face = false;  ///< its top
+    std::vector<std::size_t> points;
+  };
+
+  Found describe(std::vector<std::size_t> points) const
+  {
+    Found found;
+    WeldSpot& spot = found.spot;
+    double least_x = INFINITY, most_x = -INFINITY, least_y = INFINITY, most_y = -INFINITY;
     for (const std::size_t i : points)
     {
       const double x = static_cast<double>(grid_.x[i]), y = static_cast<double>(grid_.y[i]);
       least_x = std::min(least_x, x), most_x = std::max(most_x, x);
       least_y = std::min(least_y, y), most_y = std::max(most_y, y);
-      if (std::abs(excess_[i]) < top)
+      if (std::abs(excess_[i]) < found.top)
         continue;
-      top = std::abs(static_cast<double>(excess_[i]));
+      found.top = std::abs(static_cast<double>(excess_[i]));
       spot.x = x, spot.y = y, spot.z = static_cast<double>(grid_.z[i]);
       spot.s = sampler_.place(i).s;
-      on_face = on_face_[i] != 0;
-      spot.height = Quantity{ static_cast<double>(height_[i]), static_cast<double>(grid_.sigma[i]) };
+      found.on_face = found_.on_face[i] != 0;
+      spot.height = Quantity{ static_cast<double>(found_.height[i]), static_cast<double>(grid_.sigma[i]) };
     }
-    if (points.size() < kFewest || top < kClear)
-      return;
-    // what lies below a plate is no pore of the weld
-    const bool pit = spot.height.value < 0.0 && !on_face;
-    const bool foreign = pit || std::max(most_x - least_x, most_y - least_y) > kWidest;
+    found.extent = std::max(most_x - least_x, most_y - least_y);
+    spot.kind = spot.height.value > 0.0 ? WeldSpot::Kind::Spatter : WeldSpot::Kind::Pore;
     const double cell = grid_.spacing * (std::isfinite(grid_.pitch) ? grid_.pitch : grid_.spacing);
     const double diameter = std::sqrt(4.0 / kPi * cell * static_cast<double>(points.size()));
-    spot.diameter = Quantity{ diameter, 0.5 * std::hypot(grid_.spacing, grid_.pitch) };
-    spot.kind = spot.height.value > 0.0 ? WeldSpot::Kind::Spatter : WeldSpot::Kind::Pore;
-    const Stray kind = foreign ? Stray::Foreign : spot.kind == WeldSpot::Kind::Spatter ? Stray::Spatter : Stray::Pore;
-    if (!foreign)
-      strays.spots.push_back(spot);
-    for (const std::size_t i : points)
+    // the walls of a pore are steep, or round: if they are a paraboloid's, what lies above the foot is wider by so much
+    if (spot.kind == WeldSpot::Kind::Pore && found.top > kClear)
+      found.hidden = diameter * (1.0 / std::sqrt(1.0 - kOfTolerance / found.top) - 1.0);
+    spot.diameter = Quantity{ diameter, std::hypot(0.5 * std::hypot(grid_.spacing, grid_.pitch), found.hidden) };
+    found.points = std::move(points);
+    return found;
+  }
+
+  void takeSpot(std::size_t start, Strays& strays)
+  {
+    Found found = describe(connected(start));
+    if (found.points.size() < kFewest || found.top < kClear)
+      return;
+    const bool pit = found.spot.kind == WeldSpot::Kind::Pore;
+    // what lies below a plate is no pore of the weld
+    const bool foreign = (pit && !found.on_face) || found.extent > kWidest;
+    const Stray kind = foreign ? Stray::Foreign : pit ? Stray::Pore : Stray::Spatter;
+    const double rim = kRim + (kind == Stray::Pore ? found.hidden : 0.0);
+    for (const std::size_t i : found.points)
     {
       strays.kind[i] = kind;
-      maskAround(i, strays.masked);
+      maskAround(i, rim, strays.masked);
+    }
+    if (kind == Stray::Spatter)
+    {
+      strays.spots.push_back(found.spot);
+      strays.widest_ball = std::max(strays.widest_ball, found.spot.diameter.value);
+    }
+    else if (kind == Stray::Pore)
+    {
+      strays.widest_pit = std::max(strays.widest_pit, found.spot.diameter.value);
+      pits_.push_back(std::move(found));
     }
   }
 
-  void maskAround(std::size_t point, std::vector<std::uint8_t>& masked) const
+  /// Which pits are pores; when all strays are known.
+  void judgePits(Strays& strays) const
+  {
+    if (pits_.empty())
+      return;
+    std::vector<std::uint8_t> face = found_.on_face;
+    for (std::size_t i = 0; i < face.size(); ++i)
+      face[i] = face[i] != 0 && strays.kind[i] == Stray::None ? 1 : 0;
+    for (const Found& pit : pits_)
+    {
+      const bool shallow = -pit.spot.height.value < kDeepest * pit.spot.diameter.value;
+      if (shallow && faceAround(grid_, pit.points, face) >= kRimSeen)
+        strays.spots.push_back(pit.spot);
+      else
+        for (const std::size_t i : pit.points)
+          strays.kind[i] = Stray::Foreign;
+    }
+  }
+
+  /// Strays of an earlier look, where no face is known without them.
+  void keep(const std::vector<std::uint8_t>& without, Strays& strays) const
+  {
+    for (std::size_t i = 0; i < without.size(); ++i)
+    {
+      if (without[i] == 0 || found_.on_face[i] == 0 || std::abs(found_.height[i]) > 0.0F)
+        continue;
+      strays.kind[i] = Stray::Foreign;
+      strays.masked[i] = 1;
+    }
+  }
+
+  void maskAround(std::size_t point, double rim, std::vector<std::uint8_t>& masked) const
   {
     const int row = static_cast<int>(point / static_cast<std::size_t>(grid_.cells));
     const int column = static_cast<int>(point % static_cast<std::size_t>(grid_.cells));
-    const int columns = static_cast<int>(std::ceil(kRim / grid_.spacing));
-    const int rows = grid_.pitch > 0.0 ? static_cast<int>(std::lround(kRim / grid_.pitch)) : 0;
+    const int columns = static_cast<int>(std::ceil(rim / grid_.spacing));
+    const int rows = grid_.pitch > 0.0 ? static_cast<int>(std::lround(rim / grid_.pitch)) : 0;
     for (int r = std::max(0, row - rows); r <= std::min(grid_.rows - 1, row + rows); ++r)
       for (int c = std::max(0, column - columns); c <= std::min(grid_.cells - 1, column + columns); ++c)
         masked[grid_.at(r, c)] = 1;
@@ -122,16 +188,17 @@ private:
 
   const ScanGrid& grid_;
   const SectionSampler& sampler_;
-  std::vector<float> excess_;  ///< departure over tolerance
-  std::vector<float> height_;  ///< departure [m]
-  std::vector<std::uint8_t> on_face_;
+  const StrayExcess found_;
+  const std::vector<float>& excess_;  ///< departure over tolerance
+  std::vector<Found> pits_;
   std::vector<std::uint8_t> seen_;
 };
 }  // namespace
 
-Strays findStrays(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface)
+Strays findStrays(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface,
+                  const std::vector<std::uint8_t>& without)
 {
-  return StraySearch(grid, sampler, surface)();
+  return StraySearch(grid, sampler, strayExcess(grid, sampler, surface, without))(without);
 }
 }  // namespace weld
 }  // namespace weld_profiler

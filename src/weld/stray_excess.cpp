@@ -13,22 +13,27 @@ namespace weld
 {
 namespace
 {
-constexpr double kBeside = 1.5e-3;      // neighbours across the weld are taken from this far on either side [m]
-constexpr int kNeighbours = 7;          // on either side
-constexpr std::size_t kFewest = 7;      // of them
-constexpr double kSigmas = 5.0;         // of what points depart from their neighbours
-constexpr double kNothing = 1e-5;       // a smaller departure is none, whatever is tolerated [m]
-constexpr float kLeast = 6e-5F;         // [m]
-constexpr float kBeyondRipples = 3.0F;  // of what departs by more than so many tolerances the neighbours are not asked
-constexpr std::size_t kSampled = 97;    // every so many points tell the scatter
-constexpr double kFoot = 0.4;           // of a tolerance: what departs by less is of no stray's foot
+constexpr double kBeside = 1.5e-3;  // neighbours across the weld are taken from this far on either side [m]
+constexpr int kNeighbours = 7;      // on either side
+constexpr std::size_t kFewest = 7;  // of them
+constexpr double kSigmas = 5.0;     // of what points depart from their neighbours
+constexpr double kNothing = 1e-5;   // a smaller departure is none, whatever is tolerated [m]
+constexpr float kLeast = 6e-5F;     // [m]
+// tolerances, of 3 sigmas of a place: what departs by more is no ripple. A sine's crests and troughs reach a third of
+// one; troughs twice as deep do not reach one, but metal piles up higher where a pass began or ended
+constexpr float kNoCrest = 3.0F;
+constexpr float kNoTrough = -2.0F;
+constexpr std::size_t kSampled = 97;  // every so many points tell the scatter
+constexpr double kFoot = 0.4;         // of a tolerance: what departs by less is of no stray's foot
 
 class ExcessFinder
 {
 public:
-  ExcessFinder(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface)
-    : grid_(grid), sampler_(sampler), surface_(surface)
+  ExcessFinder(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface,
+               const std::vector<std::uint8_t>& without)
+    : grid_(grid), sampler_(sampler), surface_(surface), without_(without)
   {
+    of_face_.assign(grid.z.size(), 0);
     result_.height.assign(grid.z.size(), 0.0F);
     result_.tolerances.assign(grid.z.size(), 0.0F);
     result_.on_face.assign(grid.z.size(), 0);
@@ -56,14 +61,20 @@ private:
     if (!std::isfinite(departure))
       return;
     result_.height[i] = static_cast<float>(departure);
-    if (std::abs(departure) < kNothing)
-      return;
-    result_.tolerances[i] = static_cast<float>(departure / surface_.tolerance(k, place));
+    if (std::abs(departure) >= kNothing)
+      result_.tolerances[i] = static_cast<float>(departure / surface_.tolerance(k, place));
+    const bool taken_out = !without_.empty() && without_[i] != 0;
+    of_face_[i] = onFace(i) && !taken_out && mayBeRipple(i) ? 1 : 0;
+  }
+
+  bool mayBeRipple(std::size_t i) const
+  {
+    return result_.tolerances[i] >= kNoTrough && result_.tolerances[i] <= kNoCrest;
   }
 
   bool onFace(std::size_t i) const { return result_.on_face[i] != 0; }
 
-  /// The neighbours of a point in the same section.
+  /// The neighbours of a point in the same section, those that are strays themselves left out.
   struct Neighbours
   {
     std::array<double, 2 * kNeighbours> height;
@@ -100,7 +111,7 @@ private:
     {
       const int c = column + n * stride_;
       const int r = row + static_cast<int>(std::lround(n * stride_ * rows_per_column));
-      if (n == 0 || c < 0 || c >= grid_.cells || r < 0 || r >= grid_.rows || !onFace(grid_.at(r, c)))
+      if (n == 0 || c < 0 || c >= grid_.cells || r < 0 || r >= grid_.rows || of_face_[grid_.at(r, c)] == 0)
         continue;
       found.height[found.count++] = static_cast<double>(result_.height[grid_.at(r, c)]);
     }
@@ -124,8 +135,7 @@ private:
     const double tolerance = std::max(static_cast<double>(kLeast), kSigmas * scatter);
     for (std::size_t i = 0; i < grid_.z.size(); ++i)
     {
-      const bool beyond = std::abs(result_.tolerances[i]) > kBeyondRipples;
-      if (std::abs(result_.height[i]) < kLeast || beyond || !onFace(i))
+      if (std::abs(result_.height[i]) < kLeast || !mayBeRipple(i) || !onFace(i))
         continue;
       const Neighbours near = neighbours(i);
       if (!near.enough())
@@ -145,14 +155,17 @@ private:
   const ScanGrid& grid_;
   const SectionSampler& sampler_;
   const SeamSurface& surface_;
+  const std::vector<std::uint8_t>& without_;
+  std::vector<std::uint8_t> of_face_;  ///< points that tell what ripples do
   StrayExcess result_;
   int stride_ = 1;
 };
 }  // namespace
 
-StrayExcess strayExcess(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface)
+StrayExcess strayExcess(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface,
+                        const std::vector<std::uint8_t>& without)
 {
-  return ExcessFinder(grid, sampler, surface)();
+  return ExcessFinder(grid, sampler, surface, without)();
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -18,6 +18,8 @@ struct StrayExcess
 
 /// Points are held against the median of the sections around; on the face also against their neighbours across the
 /// weld, over 1.5 mm to either side along the section: ripples lift those alike, a ball of spatter does not.
-StrayExcess strayExcess(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface);
+/// @param without  points known to be no part of the surface: neighbours of nothing; empty = none.
+StrayExcess strayExcess(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface,
+                        const std::vector<std::uint8_t>& without);
 }  // namespace weld
 }  // namespace weld_profiler

@@ -1,0 +1,163 @@
+// Pores and what passes for one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "weld/ideal_scan.h"
+#include "weld_profiler/weld/weld_measurer.h"
+
+namespace weld_profiler
+{
+namespace
+{
+/// A hollow in a face, a paraboloid.
+struct Pit
+{
+  double x = 0.0, y = 0.006, diameter = 0.001, depth = 3e-4;  ///< [m]
+
+  double operator()(double px, double py) const
+  {
+    const double r = std::hypot(px - x, py - y) / (0.5 * diameter);
+    return depth * std::max(0.0, 1.0 - r * r);
+  }
+};
+
+void expectHeights(const WeldResult& result, double crest, std::size_t at_least)
+{
+  std::size_t told = 0;
+  for (const WeldSection& section : result.sections)
+  {
+    for (const Quantity* height : { &section.reinforcement, &section.height_left, &section.height_right })
+    {
+      told += height->measured() ? 1 : 0;
+      EXPECT_TRUE(!height->measured() || std::abs(height->value - crest) < 5.0 * height->sigma)
+          << "row " << section.row << ": " << height->value << " +- " << height->sigma;
+    }
+  }
+  EXPECT_GE(told, 3 * at_least);
+}
+}  // namespace
+
+TEST(Pits, APoreOfTwoMillimetresIsOneWithoutPiecesOfItsRim)
+{
+  const IdealWeld weld;
+  for (const double x : { -0.0024, -0.0012, 0.0, 0.0022 })
+  {
+    const Pit pit{ x, 0.006, 0.002, 6e-4 };
+    const WeldResult result =
+        WeldMeasurer().measure(IdealScanner()([&](double px, double py) { return weld(px, py) - pit(px, py); }));
+    SCOPED_TRACE(x);
+    ASSERT_EQ(result.spots.size(), 1u);
+    const WeldSpot& spot = result.spots.front();
+    EXPECT_EQ(spot.kind, WeldSpot::Kind::Pore);
+    EXPECT_NEAR(spot.diameter.value, pit.diameter, 2.0 * spot.diameter.sigma);
+    EXPECT_LT(spot.diameter.sigma, 0.15 * pit.diameter);
+    EXPECT_NEAR(spot.height.value, -pit.depth, 5e-5);
+    expectHeights(result, weld.height, 40);
+  }
+}
+
+TEST(Pits, APoreOfThreeMillimetresBesideAToeMovesNeitherToeNorHeights)
+{
+  IdealWeld weld;
+  weld.ripple = 1e-4;
+  IdealScanner scanner;
+  scanner.rows = 100;
+  const Pit pit{ 0.0017, 0.010, 0.0032, 9e-4 };
+  const auto surface = [&](double x, double y) { return weld(x, y) - pit(x, y); };
+  const WeldResult result = WeldMeasurer().measure(scanner(surface));
+  ASSERT_EQ(result.spots.size(), 1u);
+  const WeldSpot& spot = result.spots.front();
+  EXPECT_EQ(spot.kind, WeldSpot::Kind::Pore);
+  EXPECT_NEAR(spot.diameter.value, pit.diameter, 2.0 * spot.diameter.sigma);
+  EXPECT_LT(spot.diameter.sigma, 0.15 * pit.diameter);
+  EXPECT_GT(result.measured_share, 0.9);
+  for (const WeldSection& section : result.sections)
+  {
+    const double y = section.s + scanner.first_y;
+    double crest = 0.0;
+    for (double x = -0.003; x < 0.003; x += 1e-5)
+      crest = std::max(crest, surface(x, y));
+    const Quantity& height = section.height_left;
+    EXPECT_TRUE(!height.measured() || std::abs(height.value - crest) < 5.0 * height.sigma)
+        << "y " << y << ": " << height.value << " +- " << height.sigma << ", true " << crest;
+  }
+}
+
+TEST(Pits, AWallThatFallsIntoAPitIsNoToe)
+{
+  IdealWeld weld;
+  weld.height = 0.0012;
+  weld.misalignment = 3e-4;
+  IdealScanner scanner;
+  scanner.rows = 150;
+  scanner.pitch = 1.5e-4;
+  const Pit pit{ 0.0018, 0.010, 0.0033, 9.6e-4 };
+  const auto surface = [&](double x, double y) { return weld(x, y) - pit(x, y); };
+  const WeldResult result = WeldMeasurer().measure(scanner(surface));
+  ASSERT_EQ(result.spots.size(), 1u);
+  EXPECT_NEAR(result.spots.front().diameter.value, pit.diameter, 2.0 * result.spots.front().diameter.sigma);
+  EXPECT_GT(result.measured_share, 0.9);
+  for (const WeldSection& section : result.sections)
+  {
+    double crest = 0.0;
+    for (double x = -0.003; x < 0.003; x += 1e-5)
+      crest = std::max(crest, surface(x, section.s) - weld.plate(-0.01));
+    const Quantity& height = section.height_left;
+    EXPECT_TRUE(!height.measured() || std::abs(height.value - crest) < 5.0 * height.sigma + 2e-6)
+        << "s " << section.s << ": " << height.value << " +- " << height.sigma << ", true " << crest;
+  }
+}
+
+TEST(Pits, AHollowHalfOfWhoseRimIsHiddenIsNoPore)
+{
+  const IdealWeld weld;
+  const Pit pit{ -0.001, 0.006, 0.0008, 3e-4 };
+  for (const bool hidden : { false, true })
+  {
+    const auto surface = [&](double x, double y)
+    {
+      const bool missing = hidden && x > pit.x && x < pit.x + 0.001 && std::abs(y - pit.y) < 0.001;
+      return missing ? std::numeric_limits<double>::quiet_NaN() : weld(x, y) - pit(x, y);
+    };
+    const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+    SCOPED_TRACE(hidden ? "hidden" : "seen");
+    EXPECT_EQ(result.spots.size(), hidden ? 0u : 1u);
+    expectHeights(result, weld.height, 40);
+  }
+}
+
+TEST(Pits, AGapBetweenBallsIsNoPore)
+{
+  const IdealWeld weld;
+  const Pit gap{ -0.001, 0.006, 0.0006, 2e-4 };
+  const auto surface = [&](double x, double y)
+  {
+    double ball = 0.0;
+    for (const double side : { -1.0, 1.0 })
+    {
+      const double r = std::hypot(x - gap.x - side * 0.0006, y - gap.y) / 0.0004;
+      ball = std::max(ball, r < 1.0 ? 4e-4 * std::sqrt(1.0 - r * r) : 0.0);
+    }
+    return weld(x, y) + (ball > 0.0 ? ball : -gap(x, y));
+  };
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+  EXPECT_EQ(result.spots.size(), 2u);
+  for (const WeldSpot& spot : result.spots)
+    EXPECT_EQ(spot.kind, WeldSpot::Kind::Spatter);
+}
+
+TEST(Pits, AHoleDeeperThanLightReachesIsNoPore)
+{
+  const IdealWeld weld;
+  for (const double depth : { 4e-4, 1.5e-3 })
+  {
+    const auto surface = [&](double x, double y)
+    { return weld(x, y) - (std::hypot(x + 0.001, y - 0.006) < 2.5e-4 ? depth : 0.0); };
+    const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+    EXPECT_EQ(result.spots.size(), depth < 5e-4 ? 1u : 0u) << depth;
+  }
+}
+}  // namespace weld_profiler
