@@ -11,11 +11,8 @@ namespace weld
 {
 namespace
 {
-constexpr double kBridge = 3.2;  // rows that may lie between two points interpolated between
-constexpr double kAlone = 0.6;   // rows that one point alone may be off the plane
-// rows farther apart are interpolated between four: a straight line takes 7 um off ripples of 0.1 mm [m]
-constexpr double kCoarse = 2e-4;
-constexpr double kMostBend = 3e-5;   // between two rows; more is an edge, no ripple [m]
+constexpr double kBridge = 3.2;      // rows that may lie between two points interpolated between
+constexpr double kAlone = 0.6;       // rows that one point alone may be off the plane
 constexpr std::size_t kGuessed = 8;  // points that are looked for from one place
 }  // namespace
 
@@ -80,10 +77,7 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
     // mostly both are there
     if (row + 1 < grid_.rows && along(row) <= s && usable(grid_.at(row, column)) && usable(grid_.at(row + 1, column)))
     {
-      const bool four = grid_.pitch > kCoarse && row > 0 && row + 2 < grid_.rows && usable(grid_.at(row - 1, column)) &&
-                        usable(grid_.at(row + 2, column));
-      if (add(s, column, row, row + 1, profile) && four)
-        profile.z.back() += bend(s, column, row);
+      add(s, column, row, row + 1, profile);
       continue;
     }
     int below = -1, above = -1;
@@ -97,18 +91,7 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
   }
 }
 
-/// By how much a Catmull-Rom spline through four rows runs above the straight line between the middle two.
-double SectionSampler::bend(double s, int column, int row) const
-{
-  const auto z = [&](int r) { return static_cast<double>(grid_.z[grid_.at(r, column)]); };
-  const double from = place(grid_.at(row, column)).s, to = place(grid_.at(row + 1, column)).s;
-  const double f = (s - from) / (to - from), a = z(row - 1), b = z(row), c = z(row + 1), d = z(row + 2);
-  const double above = 0.5 * f * (1.0 - f) * ((1.0 - f) * (2.0 * b - a - c) + f * (2.0 * c - b - d));
-  return std::abs(above) < kMostBend ? above : 0.0;
-}
-
-/// False where no row is near enough.
-bool SectionSampler::add(double s, int column, int below, int above, SectionProfile& profile) const
+void SectionSampler::add(double s, int column, int below, int above, SectionProfile& profile) const
 {
   const double before = below < 0 ? kNaN : s - place(grid_.at(below, column)).s;
   const double after = above < 0 ? kNaN : place(grid_.at(above, column)).s - s;
@@ -120,12 +103,11 @@ bool SectionSampler::add(double s, int column, int below, int above, SectionProf
   else if (after <= kAlone * profile.row_pitch)
     share = 1.0;
   else
-    return false;
+    return;
   const std::size_t a = grid_.at(share < 1.0 ? below : above, column);
   const std::size_t b = grid_.at(share > 0.0 ? above : below, column);
   profile.q.push_back((1.0 - share) * place(a).q + share * place(b).q);
   profile.z.push_back((1.0 - share) * static_cast<double>(grid_.z[a]) + share * static_cast<double>(grid_.z[b]));
-  return true;
 }
 }  // namespace weld
 }  // namespace weld_profiler

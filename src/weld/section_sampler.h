@@ -24,8 +24,8 @@ struct SectionProfile
 };
 
 /// Cuts the organised surface with planes across the path. In each column the point is interpolated between the rows on
-/// either side of the plane, so that rows add no slope and no ripple; of rows more than 0.2 mm apart between four. One
-/// row alone serves where it is within 0.6 rows.
+/// either side of the plane, so that rows add no slope and no ripple; one row alone serves where it is within 0.6
+/// rows.
 class SectionSampler
 {
 public:
@@ -49,8 +49,7 @@ public:
 
 private:
   void placeRow(int row);
-  double bend(double s, int column, int row) const;
-  bool add(double s, int column, int below, int above, SectionProfile& profile) const;
+  void add(double s, int column, int below, int above, SectionProfile& profile) const;
 
   const ScanGrid& grid_;
   const WeldPath& path_;

@@ -63,33 +63,6 @@ TEST(HardWelds, RipplesAreNoSpatterAtTheScansEnds)
   }
 }
 
-// The crest lies beside the path, so that oblique rows pass it on either side of the section.
-TEST(HardWelds, RipplesBetweenCoarseObliqueRowsKeepTheirHeight)
-{
-  IdealWeld weld;
-  weld.ripple = 1e-4, weld.yaw = 0.5, weld.misalignment = 3e-4;
-  IdealScanner scanner;
-  scanner.pitch = 2.5e-4, scanner.cells = 1400;
-  const WeldResult result = WeldMeasurer().measure(scanner(weld));
-  const double half = 0.5 * weld.width, right = std::cos(weld.yaw), back = std::sin(weld.yaw);
-  double squares = 0.0;
-  int told = 0;
-  for (const WeldSection& section : sectionsOf(result, 40))
-  {
-    const WeldPathPoint& place = result.path[static_cast<std::size_t>(section.section)];
-    const double s = right * place.y - back * place.x;
-    double crest = 0.0;
-    for (double q = -half; q <= half; q += 1e-5)
-      crest = std::max(crest, weld(q * right - s * back, q * back + s * right));
-    if (!section.height_left.measured())
-      continue;
-    ++told;
-    squares += std::pow(section.height_left.value - (crest - weld.plate(-half)), 2.0);
-  }
-  ASSERT_GT(told, 40);
-  EXPECT_LT(std::sqrt(squares / told), 2.5e-6) << "straight lines between two rows are 4.6 um off";
-}
-
 TEST(HardWelds, AHollowFilletHasNoConvexity)
 {
   const auto hollow = [](double x, double /*y*/)
