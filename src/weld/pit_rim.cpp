@@ -9,6 +9,7 @@ namespace weld
 {
 namespace
 {
+constexpr int kBeside = 2;      // cells: two thirds of the points may be missing, and one of 15 is still there
 constexpr double kWide = 3e-4;  // the rim: what the pit blurs (0.13 mm) and about as much again [m]
 
 /// A window of the grid about a pit, that may reach beyond the scan.
@@ -54,6 +55,23 @@ std::vector<std::uint8_t> rimOf(const Window& window, const std::vector<std::siz
     rim[static_cast<std::size_t>(window.at(window.rowOf(i), window.columnOf(i)))] = 0;
   return rim;
 }
+/// Whether a place shows the face: where its point is missing by itself, those beside it tell.
+bool showsFace(const ScanGrid& grid, int row, int column, const std::vector<std::uint8_t>& face)
+{
+  if (row < 0 || row >= grid.rows || column < 0 || column >= grid.cells)
+    return false;
+  if (std::isfinite(grid.z[grid.at(row, column)]))
+    return face[grid.at(row, column)] != 0;
+  for (int r = std::max(0, row - 1); r <= std::min(grid.rows - 1, row + 1); ++r)
+  {
+    for (int c = std::max(0, column - kBeside); c <= std::min(grid.cells - 1, column + kBeside); ++c)
+    {
+      if (face[grid.at(r, c)] != 0)
+        return true;
+    }
+  }
+  return false;
+}
 }  // namespace
 
 double faceAround(const ScanGrid& grid, const std::vector<std::size_t>& pit, const std::vector<std::uint8_t>& face)
@@ -67,9 +85,8 @@ double faceAround(const ScanGrid& grid, const std::vector<std::size_t>& pit, con
     {
       if (rim[static_cast<std::size_t>(window.at(row, column))] == 0)
         continue;
-      const bool in_scan = row >= 0 && row < grid.rows && column >= 0 && column < grid.cells;
       ++all;
-      shown += in_scan && face[grid.at(row, column)] != 0 ? 1 : 0;
+      shown += showsFace(grid, row, column, face) ? 1 : 0;
     }
   }
   return all > 0 ? static_cast<double>(shown) / static_cast<double>(all) : 0.0;

@@ -163,12 +163,13 @@ private:
     }
   }
 
-  /// Strays of an earlier look, where no face is known without them.
+  /// Strays of an earlier look stay what is to be left out, where without them nothing tells what the surface does: no
+  /// median, or a bead whose toes they hide.
   void keep(const std::vector<std::uint8_t>& without, Strays& strays) const
   {
     for (std::size_t i = 0; i < without.size(); ++i)
     {
-      if (without[i] == 0 || found_.on_face[i] == 0 || std::abs(found_.height[i]) > 0.0F)
+      if (without[i] == 0 || found_.on_face[i] == 0 || found_.known[i] != 0)
         continue;
       strays.kind[i] = Stray::Foreign;
       strays.masked[i] = 1;

@@ -37,6 +37,7 @@ public:
     result_.height.assign(grid.z.size(), 0.0F);
     result_.tolerances.assign(grid.z.size(), 0.0F);
     result_.on_face.assign(grid.z.size(), 0);
+    result_.known.assign(grid.z.size(), 0);
     stride_ = std::max(1, static_cast<int>(std::lround(kBeside / kNeighbours / grid.spacing)));
   }
 
@@ -61,8 +62,10 @@ private:
     if (!std::isfinite(departure))
       return;
     result_.height[i] = static_cast<float>(departure);
+    const double tolerance = std::abs(departure) < kNothing ? kNothing : surface_.tolerance(k, place);
+    result_.known[i] = std::isfinite(tolerance) ? 1 : 0;
     if (std::abs(departure) >= kNothing)
-      result_.tolerances[i] = static_cast<float>(departure / surface_.tolerance(k, place));
+      result_.tolerances[i] = static_cast<float>(departure / tolerance);
     const bool taken_out = !without_.empty() && without_[i] != 0;
     of_face_[i] = onFace(i) && !taken_out && mayBeRipple(i) ? 1 : 0;
   }

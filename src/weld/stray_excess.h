@@ -14,6 +14,7 @@ struct StrayExcess
   std::vector<float> height;          ///< above the surface [m]; 0 where nothing is known
   std::vector<std::uint8_t> on_face;  ///< whether a point lies between the toes
   std::vector<float> tolerances;      ///< the same in units of what the surface itself departs by
+  std::vector<std::uint8_t> known;    ///< whether a point can be judged
 };
 
 /// Points are held against the median of the sections around; on the face also against their neighbours across the

@@ -59,6 +59,38 @@ TEST(Pits, APoreOfTwoMillimetresIsOneWithoutPiecesOfItsRim)
   }
 }
 
+TEST(Pits, APoreIsFoundWhereManyPointsAreMissing)
+{
+  const IdealWeld weld;
+  const Pit pit{ 0.0008, 0.006, 0.0014, 5e-4 };
+  for (const double holes : { 0.2, 0.4 })
+  {
+    IdealScanner scanner;
+    scanner.holes = holes;
+    const WeldResult result =
+        WeldMeasurer().measure(scanner([&](double x, double y) { return weld(x, y) - pit(x, y); }));
+    ASSERT_EQ(result.spots.size(), 1u) << holes;
+    EXPECT_EQ(result.spots.front().kind, WeldSpot::Kind::Pore);
+  }
+}
+
+TEST(Pits, BesideALargeOneBallsDoNotGoIntoTheHeight)
+{
+  const IdealWeld weld;
+  const Pit pit{ 0.001, 0.009, 0.0018, 6e-4 };
+  const auto surface = [&](double x, double y)
+  {
+    double z = weld(x, y) - pit(x, y);
+    for (const double ball_x : { -0.0038, -0.0012, 0.0012, 0.0038 })  // over both toes and the crest
+      z += std::sqrt(std::max(0.0, 1e-6 - (x - ball_x) * (x - ball_x) - (y - 0.004) * (y - 0.004)));
+    return z;
+  };
+  const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
+  EXPECT_TRUE(std::any_of(result.spots.begin(), result.spots.end(),
+                          [](const WeldSpot& spot) { return spot.kind == WeldSpot::Kind::Pore; }));
+  expectHeights(result, weld.height, 25);
+}
+
 TEST(Pits, APoreOfThreeMillimetresBesideAToeMovesNeitherToeNorHeights)
 {
   IdealWeld weld;
