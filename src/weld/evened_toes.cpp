@@ -98,7 +98,7 @@ private:
     leave(ends);
   }
 
-  /// @param s  of a section. Near an end of the weld less is evened out.
+  /// @param s  of the mean. Near an end of the weld less is evened out.
   void addNode(double s)
   {
     const auto first = static_cast<std::size_t>(std::find(chosen_.begin(), chosen_.end(), 1) - chosen_.begin());
@@ -149,8 +149,7 @@ private:
     return Node{ place / all, fitToe(mean.above(parent.line, kShareSeen * all), question, parent, params_) };
   }
 
-  /// Where a bead begins or ends its toes run together, which a mean shows too late: such sections are left as they
-  /// are.
+  /// Where toes run obliquely from mean to mean the bead tapers: such sections are left as they are.
   void dropOblique()
   {
     std::vector<double> oblique;
@@ -175,7 +174,8 @@ private:
         nodes_.begin());
     const Node& a = nodes_[after > 0 ? after - 1 : 0];
     const Node& b = nodes_[std::min(after, nodes_.size() - 1)];
-    if (std::max(a.s - s, s - b.s) > kLeastReach + kStep || b.s - a.s > 1.5 * kStep)
+    const bool between = a.s <= s && s <= b.s && b.s - a.s <= 1.5 * kStep;
+    if (!between && !beforeScansEnd(s))
       return;
     const double share = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0.0;
     const ToeFit& near = share < 0.5 ? a.toe : b.toe;
@@ -195,6 +195,14 @@ private:
     toe.z = parent.line.at(q);
     toe.face = face;
     toe.evened = true;
+  }
+
+  /// Whether s lies between the means and an end of the scan that the bead runs on beyond: it does not end there.
+  bool beforeScansEnd(double s) const
+  {
+    const double before = nodes_.front().s - along_.places.front(), behind = along_.places.back() - nodes_.back().s;
+    return (s < nodes_.front().s && !along_.begins && before < kLeastReach + kStep) ||
+           (s > nodes_.back().s && !along_.ends && behind < kLeastReach + kStep);
   }
 
   /// By how much the toe may have changed from the nearest mean's place to s, where there is none on either side.

@@ -190,4 +190,29 @@ TEST(LowRipples, AFlatKinkIsBlurredByTheWholeWindowOfTheStripe)
   EXPECT_GT(weld::faceBias(0.1), 1.5 * weld::faceBias(0.6));
   EXPECT_DOUBLE_EQ(weld::faceBias(-0.1), weld::faceBias(0.1));
 }
+
+TEST(LowRipples, ATaperIsNotEvenedOut)
+{
+  // rises and widens over 5 mm, then runs on
+  const auto halfAt = [](double y) { return 0.003 * std::min(1.0, std::max(0.0, y - 0.002) / 0.005); };
+  const auto surface = [&](double x, double y)
+  {
+    const double half = halfAt(y), share = half > 0.0 ? x * x / (half * half) : 1.0;
+    const double ripple = 5e-5 * std::sin(2.0 * kPi * y / 1.2e-3);
+    return share < 1.0 ? (9e-4 * half / 0.003 + ripple) * (1.0 - share) : 0.0;
+  };
+  IdealScanner scanner = fineRows();
+  const WeldResult result = WeldMeasurer().measure(scanner(surface));
+  Errors widths;
+  for (const WeldSection& section : result.sections)
+  {
+    const double y = result.path[static_cast<std::size_t>(section.section)].y;
+    widths.add(section.width, 2.0 * halfAt(y));
+    EXPECT_FALSE(section.hasBead() && y < 0.002) << "where no bead is";
+  }
+  EXPECT_GT(widths.errors.size(), 60u);
+  EXPECT_LT(widths.quadraticMean(), 2.0);
+  for (const double one : widths.in_sigmas)
+    EXPECT_LT(std::abs(one), 6.0);
+}
 }  // namespace weld_profiler
