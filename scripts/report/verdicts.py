@@ -93,8 +93,8 @@ class Verdict:
     def beside(self, folder):
         """What the measured numbers are not about: a sentence, or empty."""
         others = len(folder.record.records("other_beads"))
-        return "" if not others else "%s beside it was seen, not measured." % (
-            "Another bead" if others == 1 else "%d other beads or pieces" % others)
+        return "" if not others else "%s seen, not measured." % (
+            "Another bead beside it was" if others == 1 else "%d other beads or pieces beside it were" % others)
 
     def one_line(self):
         """For a headline or a picture."""

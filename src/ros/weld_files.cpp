@@ -93,6 +93,8 @@ void removeStaleFiles(const std::string& directory, const FreshFiles& fresh)
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(directory))
   {
+    if (entry.is_symlink())
+      continue;  // what lies behind it is no part of this folder
     std::smatch match;
     const std::string name = entry.path().filename().string();
     const bool folder = entry.is_directory();

@@ -208,6 +208,13 @@ TEST_F(WeldFiles, WhatAnEarlierRunLeftGoesAndWhatIsFreshOrSomebodysStays)
   EXPECT_EQ(left(FreshFiles{ 2, true }),
             (std::vector<std::string>{ "notes.txt", "scan", "scan.pcd", "scan.ply", "scan.txt", "scan/weld.json",
                                        "scan_2", "scan_2.pcd", "scan_3", "scan_3/notes.txt", "summary.json" }));
+  fill(true);
+  fs::remove_all(folder_.file("scan_2"));
+  fs::create_directory_symlink(folder_.file("scan_3"), folder_.file("scan_2"));
+  fs::create_directory_symlink("loop", folder_.file("loop"));
+  std::ofstream(folder_.file("scan_3/weld.csv")) << "x";
+  removeStaleFiles(folder_.path().string(), FreshFiles{ 3, true });
+  EXPECT_TRUE(fs::is_symlink(folder_.file("scan_2")) && fs::is_symlink(folder_.file("loop")));
   fill(false);
   EXPECT_EQ(
       left(FreshFiles{ 0, false }),

@@ -45,7 +45,8 @@ struct FreshFiles
 
 /// Removes from a folder what an earlier run left: clouds, summary.json, the folders of further welds, and all that
 /// writeWeldFiles() and writeReport() leave, there and in the folders that stay. Beside a new scan it would be taken
-/// for that scan's. Files of other names stay, and clouds beside which no summary.json lies: those were saved by hand.
+/// for that scan's. Files of other names and links stay; so do clouds where neither an earlier
+/// summary.json lies nor a fresh one: those were saved by hand.
 /// @throws std::filesystem::filesystem_error when a cloud or folder cannot be removed.
 void removeStaleFiles(const std::string& directory, const FreshFiles& fresh);
 
