@@ -164,18 +164,6 @@ AlongWeld smoothAlong(const std::vector<double>& s, const AlongWeld& raw)
   return result;
 }
 
-AlongWeld courseAlong(const std::vector<double>& s, const AlongWeld& raw, double window)
-{
-  AlongWeld result = raw;
-  for (std::size_t k = 0; k < s.size(); ++k)
-  {
-    const LocalLine line = std::isfinite(raw.value[k]) ? predict(neighbours(s, raw, k, window, -1)) : LocalLine();
-    if (std::isfinite(line.value))
-      result.value[k] = line.value;
-  }
-  return result;
-}
-
 AlongWeld continueAlong(const std::vector<double>& s, const AlongWeld& smooth, const Continuation& how)
 {
   AlongWeld result = smooth;

@@ -21,9 +21,6 @@ struct AlongWeld
 /// @param s  of each section, rising [m].
 AlongWeld smoothAlong(const std::vector<double>& s, const AlongWeld& raw);
 
-/// The smooth course alone: robust local straight lines over `window` [m] on either side, whatever departs from it.
-AlongWeld courseAlong(const std::vector<double>& s, const AlongWeld& raw, double window);
-
 /// How a quantity is continued to where it was not measured.
 struct Continuation
 {

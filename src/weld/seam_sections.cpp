@@ -6,6 +6,7 @@
 
 #include "along_weld.h"
 #include "statistics.h"
+#include "toe_course.h"
 
 namespace weld_profiler
 {
@@ -16,7 +17,7 @@ namespace
 constexpr double kLever = 6e-3;                      // between the places that tell a parent line [m]
 constexpr Continuation kPlate{ 8e-3, 8e-3, false };  // of a parent that is not in view
 constexpr Continuation kToe{ 20e-3, 2e-3, true };    // of a toe, for maps
-constexpr double kCourse = 3e-3;                     // half window of the toes' course [m]
+constexpr double kCourse = 6e-3;                     // of toes before or behind another that tell where it is [m]
 constexpr std::size_t kCorrelationStep = 4;          // sections from one that tells it to the next
 constexpr double kOff = 4.685;                       // scatters off the plate: Tukey's biweight counts it for nothing
 constexpr double kOddToe = 5e-4;                     // a toe lies this far inside of where the others are [m]
@@ -52,7 +53,7 @@ void SeamSections::measureRoughly(const std::vector<double>& places)
   fit(places, {});
   for (const Side side : { Side::Left, Side::Right })
   {
-    const AlongWeld course = courseAlong(places_, smoothToes(side), kCourse);
+    const AlongWeld course = toeCourse(places_, smoothToes(side), side, kCourse);
     (side == Side::Left ? mapped_left_ : mapped_right_) = continueAlong(places_, course, kToe).value;
   }
 }
@@ -122,6 +123,12 @@ void SeamSections::demoteShort(Side side)
   }
 }
 
+/// Whether a section's toe is looked for well inside of where the other sections have theirs.
+bool SeamSections::isInside(Side side, const Lever& lever, std::size_t k) const
+{
+  return sign(side) * (lever.near - guess_.toe(side, places_[k])) > kOddToe;
+}
+
 /// Sets aside what was taken for a parent where the real one leaves the view: it departs from the plate, and its toe
 /// lies inside the bead that the other sections show.
 void SeamSections::demoteOdd(Side side, const Lever& lever, const ParentPlate& plate)
@@ -130,11 +137,10 @@ void SeamSections::demoteOdd(Side side, const Lever& lever, const ParentPlate& p
   for (std::size_t k = 0; k < size(); ++k)
   {
     ParentFit& fit = parentOf(shapes_[k], side);
-    const double inward = sign(side) * (lever.near - guess_.toe(side, places_[k]));
     const Line line = plate.lineAt(profiles_[k].place);
     const double off = std::max(std::abs(fit.line.at(lever.near) - line.at(lever.near)),
                                 std::abs(fit.line.at(lever.far) - line.at(lever.far)));
-    if (fit.valid() && off > most && inward > kOddToe)
+    if (fit.valid() && off > most && isInside(side, lever, k))
       std::swap(short_parents_[k], fit);
   }
 }
@@ -151,11 +157,12 @@ void SeamSections::smoothParents(Side side)
   std::vector<ParentPlate::Piece> pieces;
   for (std::size_t k = 0; k < size(); ++k)
   {
-    if (parentOf(shapes_[k], side).valid())
+    if (parentOf(shapes_[k], side).valid() && !isInside(side, lever, k))
       pieces.push_back(ParentPlate::Piece{ profiles_[k].place, parentOf(shapes_[k], side).line });
   }
   const ParentPlate plate(pieces, lever.near, lever.far);
-  demoteOdd(side, lever, plate);
+  if (pieces.size() > 1)
+    demoteOdd(side, lever, plate);
   AlongWeld near_heights, far_heights;
   ParentFit typical;
   for (std::size_t k = 0; k < size(); ++k)

@@ -46,6 +46,7 @@ private:
   {
     double near = 0.0, far = 0.0;
   };
+  bool isInside(Side side, const Lever& lever, std::size_t k) const;
   void demoteOdd(Side side, const Lever& lever, const ParentPlate& plate);
   void smoothParents(Side side);
   void fitToes();

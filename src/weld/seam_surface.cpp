@@ -5,6 +5,7 @@
 
 #include "known_bead.h"
 #include "statistics.h"
+#include "toe_sway.h"
 
 namespace weld_profiler
 {
@@ -73,6 +74,8 @@ std::vector<float> SeamSurface::prepare()
       if (parent->valid())
         scatters.push_back(parent->scatter);
   }
+  sway_left_ = toeSway(sections, Side::Left, kReach);
+  sway_right_ = toeSway(sections, Side::Right, kReach);
   const double scatter = median(scatters), width = median(widths);
   parent_tolerance_ = std::max(kLeastParent, std::isfinite(scatter) ? kSigmas * scatter : 0.0);
   inside_ = std::isfinite(width) ? std::max(4, static_cast<int>(std::lround(width / kBin))) : 4;
@@ -189,11 +192,18 @@ double SeamSurface::departure(std::size_t k, double q, double z) const
   return z - zones_.flush(k, q) - (bin >= 0.0 ? rise(k, bin) : 0.0);
 }
 
+/// Whether the bead's edge may lie here or not.
+bool SeamSurface::atSwayingToe(std::size_t k, double q) const
+{
+  return std::abs(q - sections_.mappedToe(k, Side::Left)) < sway_left_[k] ||
+         std::abs(q - sections_.mappedToe(k, Side::Right)) < sway_right_[k];
+}
+
 double SeamSurface::alongSlack(std::size_t k, const PathPlace& place) const
 {
   // where a bead ends and its toes close in, what lies between them is not known
   const bool beside = zones_.slack(place.s) > 0.0 && std::abs(place.s - sections_.places()[k]) > kBeyond;
-  if ((known_[k] == 0 || beside) && onFace(k, place.q))
+  if (((known_[k] == 0 || beside) && onFace(k, place.q)) || atSwayingToe(k, place.q))
     return INFINITY;
   const double bin = binOf(k, place.q);
   const std::size_t before = k - std::min(k, kAlongSections),

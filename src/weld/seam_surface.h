@@ -39,6 +39,7 @@ private:
   double binOf(std::size_t k, double q) const;
   double placeOf(std::size_t k, int bin) const;
   double rise(std::size_t k, double bin) const;
+  bool atSwayingToe(std::size_t k, double q) const;
   std::vector<float> prepare();
   void sampleSection(std::size_t k, const SectionProfile& profile, std::vector<float>& rises) const;
   void fillMedians(const std::vector<float>& rises, double reach);
@@ -51,7 +52,8 @@ private:
   std::vector<float> medians_;     ///< sections x bins, above flush
   std::vector<float> tolerances_;  ///< one a bin
   double parent_tolerance_ = 0.0;
-  std::vector<std::uint8_t> known_;  ///< of each section, whether what lies between its toes can be told
+  std::vector<double> sway_left_, sway_right_;  ///< of each section's toes [m]
+  std::vector<std::uint8_t> known_;             ///< of each section, whether what lies between its toes can be told
 };
 }  // namespace weld
 }  // namespace weld_profiler

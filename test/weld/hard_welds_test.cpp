@@ -63,6 +63,27 @@ TEST(HardWelds, RipplesAreNoSpatterAtTheScansEnds)
   }
 }
 
+TEST(HardWelds, NoSpatterWhereABeadEndsRound)
+{
+  // an ellipse's quarter, 2 mm long, at either end
+  const auto surface = [](double x, double y)
+  {
+    const double into = std::min(1.0, std::min(y - 0.001, 0.019 - y) / 0.002);
+    if (into <= 0.0)
+      return 0.0;
+    const double share = std::sqrt(1.0 - (1.0 - into) * (1.0 - into)), half = 0.005 * share;
+    return std::max(0.0, 0.002 * share * (1.0 - x * x / (half * half)));
+  };
+  for (const unsigned seed : { 1U, 2U, 3U })
+  {
+    IdealScanner scanner;
+    scanner.rows = 80, scanner.pitch = 2.5e-4, scanner.seed = seed;
+    const WeldResult result = WeldMeasurer().measure(scanner(surface));
+    sectionsOf(result, 60);
+    EXPECT_TRUE(result.spots.empty()) << result.spots.size() << " told, the first at y " << result.spots.front().y;
+  }
+}
+
 TEST(HardWelds, AHollowFilletHasNoConvexity)
 {
   const auto hollow = [](double x, double /*y*/)
