@@ -193,13 +193,17 @@ TEST(LowRipples, AFlatKinkIsBlurredByTheWholeWindowOfTheStripe)
 
 TEST(LowRipples, ATaperIsNotEvenedOut)
 {
-  // rises and widens over 5 mm, then runs on
-  const auto halfAt = [](double y) { return 0.003 * std::min(1.0, std::max(0.0, y - 0.002) / 0.005); };
+  // rises and widens over 5 mm, an ellipse's quarter, then runs on
+  const auto halfAt = [](double y)
+  {
+    const double into = std::min(1.0, std::max(0.0, y - 0.002) / 0.005);
+    return 0.004 * std::sqrt(1.0 - (1.0 - into) * (1.0 - into));
+  };
   const auto surface = [&](double x, double y)
   {
     const double half = halfAt(y), share = half > 0.0 ? x * x / (half * half) : 1.0;
     const double ripple = 5e-5 * std::sin(2.0 * kPi * y / 1.2e-3);
-    return share < 1.0 ? (9e-4 * half / 0.003 + ripple) * (1.0 - share) : 0.0;
+    return share < 1.0 ? (1e-3 + ripple) * half / 0.004 * (1.0 - share) : 0.0;
   };
   IdealScanner scanner = fineRows();
   const WeldResult result = WeldMeasurer().measure(scanner(surface));
