@@ -30,11 +30,6 @@ constexpr double kLost = 0.25;  // of a steeper face ripples do not take the ris
 constexpr double kJump = 5.0;   // unrests that ripples move a toe by at most
 constexpr double kAlike = 1.5;  // neighbouring sections share a row: this many count as one
 
-ToeFit& toeOf(SectionShape& shape, Side side)
-{
-  return side == Side::Left ? shape.toe_left : shape.toe_right;
-}
-
 class Evening
 {
 public:
@@ -180,7 +175,7 @@ private:
     const double share = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0.0;
     const ToeFit& near = share < 0.5 ? a.toe : b.toe;
     const double q = a.toe.q + share * (b.toe.q - a.toe.q);
-    ToeFit& toe = toeOf(shapes_[k], along_.side);
+    ToeFit& toe = shapes_[k].toe(along_.side);
     // what leaves the others is no ripple but the bead's end
     if (toe.found ? std::abs(toe.q - q) > kJump * std::max(a.unrest, b.unrest) : std::abs(near.flank) > kLost)
       return;

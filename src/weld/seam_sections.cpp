@@ -19,15 +19,9 @@ constexpr Continuation kPlate{ 8e-3, 8e-3, false };  // of a parent that is not 
 constexpr Continuation kToe{ 20e-3, 2e-3, true };    // of a toe, for maps
 constexpr double kCourse = 6e-3;                     // of toes before or behind another that tell where it is [m]
 constexpr std::size_t kCorrelationStep = 4;          // sections from one that tells it to the next
-constexpr double kOff = 4.685;                       // scatters off the plate: Tukey's biweight counts it for nothing
 constexpr double kOddToe = 5e-4;                     // a toe lies this far inside of where the others are [m]
 constexpr double kRoomMargin = 2e-4;                 // a parent is looked at so far beyond where it was last seen [m]
 constexpr double kShortPiece = 0.5;                  // of the median length: such a parent is rather continued
-
-ParentFit& parentOf(SectionShape& shape, Side side)
-{
-  return side == Side::Left ? shape.left : shape.right;
-}
 }  // namespace
 
 void SeamSections::fit(const std::vector<double>& places, const std::vector<std::uint8_t>& masked)
@@ -84,7 +78,7 @@ void SeamSections::fitParents(Side side)
   {
     const double toe = guess_.toe(side, places_[k]);
     const Line guess = guess_.parent(side, profiles_[k].place, toe);
-    ParentFit& fit = parentOf(shapes_[k], side);
+    ParentFit& fit = shapes_[k].parent(side);
     // where another bead or a clamp stands near, the parent ends before it
     const double seen =
         std::isfinite(rooms[k]) ? std::max(rooms[k], room) + kRoomMargin - begin : params_.parent_length;
@@ -96,7 +90,7 @@ void SeamSections::fitParents(Side side)
   const double cells = median(lengths);  // of one section alone it is hardly known
   for (std::size_t k = 0; k < size(); ++k)
   {
-    ParentFit& fit = parentOf(shapes_[k], side);
+    ParentFit& fit = shapes_[k].parent(side);
     if (!fit.valid())
       continue;
     fit.covariance *= cells / fit.correlated_cells;
@@ -111,7 +105,7 @@ void SeamSections::demoteShort(Side side)
   std::vector<double> lengths;
   for (SectionShape& shape : shapes_)
   {
-    const ParentFit& fit = parentOf(shape, side);
+    const ParentFit& fit = shape.parent(side);
     lengths.push_back(fit.valid() ? std::abs(fit.outer - fit.inner) : kNaN);
   }
   const double least = kShortPiece * median(lengths);
@@ -119,7 +113,7 @@ void SeamSections::demoteShort(Side side)
   for (std::size_t k = 0; k < size(); ++k)
   {
     if (lengths[k] < least)
-      std::swap(short_parents_[k], parentOf(shapes_[k], side));
+      std::swap(short_parents_[k], shapes_[k].parent(side));
   }
 }
 
@@ -133,10 +127,11 @@ bool SeamSections::isInside(Side side, const Lever& lever, std::size_t k) const
 /// lies inside the bead that the other sections show.
 void SeamSections::demoteOdd(Side side, const Lever& lever, const ParentPlate& plate)
 {
-  const double most = std::max(params_.flatness, kOff * plate.scatter());
+  // farther off the biweight counts it for nothing
+  const double most = std::max(params_.flatness, kTukeyReach * plate.scatter());
   for (std::size_t k = 0; k < size(); ++k)
   {
-    ParentFit& fit = parentOf(shapes_[k], side);
+    ParentFit& fit = shapes_[k].parent(side);
     const Line line = plate.lineAt(profiles_[k].place);
     const double off = std::max(std::abs(fit.line.at(lever.near) - line.at(lever.near)),
                                 std::abs(fit.line.at(lever.far) - line.at(lever.far)));
@@ -157,8 +152,8 @@ void SeamSections::smoothParents(Side side)
   std::vector<ParentPlate::Piece> pieces;
   for (std::size_t k = 0; k < size(); ++k)
   {
-    if (parentOf(shapes_[k], side).valid() && !isInside(side, lever, k))
-      pieces.push_back(ParentPlate::Piece{ profiles_[k].place, parentOf(shapes_[k], side).line });
+    if (shapes_[k].parent(side).valid() && !isInside(side, lever, k))
+      pieces.push_back(ParentPlate::Piece{ profiles_[k].place, shapes_[k].parent(side).line });
   }
   const ParentPlate plate(pieces, lever.near, lever.far);
   if (pieces.size() > 1)
@@ -167,7 +162,7 @@ void SeamSections::smoothParents(Side side)
   ParentFit typical;
   for (std::size_t k = 0; k < size(); ++k)
   {
-    const ParentFit& fit = parentOf(shapes_[k], side);
+    const ParentFit& fit = shapes_[k].parent(side);
     const Line base = plate.lineAt(profiles_[k].place);
     near_heights.value.push_back(fit.line.at(lever.near) - base.at(lever.near));
     far_heights.value.push_back(fit.line.at(lever.far) - base.at(lever.far));
@@ -182,7 +177,7 @@ void SeamSections::smoothParents(Side side)
   const AlongWeld at_far = continueAlong(places_, smoothAlong(places_, far_heights), kPlate);
   for (std::size_t k = 0; k < size(); ++k)
   {
-    ParentFit& fit = parentOf(shapes_[k], side);
+    ParentFit& fit = shapes_[k].parent(side);
     if (!std::isfinite(at_near.value[k]) || !std::isfinite(at_far.value[k]))
     {
       fit = short_parents_[k];

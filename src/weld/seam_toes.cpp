@@ -19,11 +19,6 @@ constexpr double kAgreeShare = 0.34;    // of them at least
 constexpr int kEndRows = 6;             // of the scan: a low bead is not recognised in each of its rows
 constexpr double kBridgedSigma = 2.0;   // a toe told from its neighbours is less certain than they
 
-ToeFit& toeOf(SectionShape& shape, Side side)
-{
-  return side == Side::Left ? shape.toe_left : shape.toe_right;
-}
-
 Side otherSide(Side side)
 {
   return side == Side::Left ? Side::Right : Side::Left;
@@ -83,7 +78,7 @@ void SeamSections::dropLone(Side side)
       lone.push_back(k);
   }
   for (const std::size_t k : lone)
-    toeOf(shapes_[k], side).found = false;
+    shapes_[k].toe(side).found = false;
 }
 
 AlongWeld SeamSections::smoothToes(Side side)
@@ -98,7 +93,7 @@ AlongWeld SeamSections::smoothToes(Side side)
   AlongWeld raw;
   for (SectionShape& shape : shapes_)
   {
-    const ToeFit& toe = toeOf(shape, side);
+    const ToeFit& toe = shape.toe(side);
     const bool told = toe.found && !toe.evened;
     raw.value.push_back(told ? toe.q : kNaN);
     raw.sigma.push_back(told ? toe.sigma : kNaN);
@@ -106,7 +101,7 @@ AlongWeld SeamSections::smoothToes(Side side)
   AlongWeld smooth = smoothAlong(places_, raw);
   for (std::size_t k = 0; k < size(); ++k)
   {
-    ToeFit& toe = toeOf(shapes_[k], side);
+    ToeFit& toe = shapes_[k].toe(side);
     if (!toe.found)
       continue;
     if (toe.evened)
@@ -124,7 +119,7 @@ void SeamSections::bridgeToes(Side side)
   std::size_t before = size();
   for (std::size_t k = 0; k < size(); ++k)
   {
-    if (!toeOf(shapes_[k], side).found)
+    if (!shapes_[k].toe(side).found)
       continue;
     if (before < size() && k > before + 1 && places_[k] - places_[before] <= params_.max_bridge)
     {
@@ -142,10 +137,10 @@ void SeamSections::bridgeToe(Side side, std::size_t before, std::size_t k, std::
   const bool seen = profiles_[k].size() > std::min(profiles_[before].size(), profiles_[after].size()) / 2;
   if (!parent.valid() || !seen)
     return;
-  const ToeFit& a = toeOf(shapes_[before], side);
-  const ToeFit& b = toeOf(shapes_[after], side);
+  const ToeFit& a = shapes_[before].toe(side);
+  const ToeFit& b = shapes_[after].toe(side);
   const double share = (places_[k] - places_[before]) / (places_[after] - places_[before]);
-  ToeFit& toe = toeOf(shape, side);
+  ToeFit& toe = shape.toe(side);
   toe = a;
   toe.bridged = true;
   toe.q = a.q + share * (b.q - a.q);

@@ -19,7 +19,9 @@ struct SectionShape
   bool whole() const { return toe_left.found && toe_right.found; }
 
   const ParentFit& parent(Side side) const { return side == Side::Left ? left : right; }
+  ParentFit& parent(Side side) { return side == Side::Left ? left : right; }
   const ToeFit& toe(Side side) const { return side == Side::Left ? toe_left : toe_right; }
+  ToeFit& toe(Side side) { return side == Side::Left ? toe_left : toe_right; }
 
   /// Through both toes.
   Line chord() const;

@@ -51,11 +51,13 @@ inline double square(double value)
   return value * value;
 }
 
-/// Tukey's biweight of a residual in units of its scale: 1 at zero, 0 from 4.7 sigma (95 % efficient).
+/// Where Tukey's biweight ends, in sigmas (95 % efficient).
+constexpr double kTukeyReach = 4.685;
+
+/// Tukey's biweight of a residual in units of its scale: 1 at zero, 0 from kTukeyReach on.
 inline double tukey(double residual_in_sigmas)
 {
-  constexpr double kReach = 4.685;
-  const double t = 1.0 - square(residual_in_sigmas / kReach);
+  const double t = 1.0 - square(residual_in_sigmas / kTukeyReach);
   return t > 0.0 ? t * t : 0.0;
 }
 }  // namespace weld
