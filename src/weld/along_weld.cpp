@@ -29,11 +29,18 @@ struct LocalLine
   double share = 1.0;  ///< variance of the value over that of one section
 };
 
-/// The measured sections around section k, `skip` on either side of it (and itself) left out; skip < 0: none.
-std::vector<Neighbour> neighbours(const std::vector<double>& s, const AlongWeld& raw, std::size_t k, double window,
-                                  int skip)
+/// What is used over and over, so that it is taken from memory once.
+struct Scratch
 {
   std::vector<Neighbour> found;
+  std::vector<double> residuals, sorted;
+};
+
+/// The measured sections around section k, `skip` on either side of it (and itself) left out; skip < 0: none.
+void findNeighbours(const std::vector<double>& s, const AlongWeld& raw, std::size_t k, double window, int skip,
+                    std::vector<Neighbour>& found)
+{
+  found.clear();
   auto j = static_cast<std::size_t>(std::upper_bound(s.begin(), s.end(), s[k] - window) - s.begin());
   for (; j < s.size() && s[j] < s[k] + window; ++j)
   {
@@ -42,7 +49,6 @@ std::vector<Neighbour> neighbours(const std::vector<double>& s, const AlongWeld&
     const double d = s[j] - s[k];
     found.push_back(Neighbour{ d, raw.value[j], (1.0 - square(d / window)) / square(raw.sigma[j]) });
   }
-  return found;
 }
 
 LocalLine regress(const std::vector<Neighbour>& found)
@@ -74,20 +80,22 @@ LocalLine mean(const std::vector<Neighbour>& found)
   return line;
 }
 
-LocalLine predict(std::vector<Neighbour> found)
+/// A robust line through scratch.found, whose weights it changes.
+LocalLine predict(Scratch& scratch)
 {
+  std::vector<Neighbour>& found = scratch.found;
   if (found.size() < kFewest)
     return LocalLine();
   const LocalLine first = regress(found);
-  std::vector<double> residuals;
-  residuals.reserve(found.size());
+  scratch.residuals.clear();
   for (const Neighbour& one : found)
-    residuals.push_back(one.value - first.value - first.slope * one.d);
-  const double scale = robustSigma(residuals);
+    scratch.residuals.push_back(one.value - first.value - first.slope * one.d);
+  scratch.sorted = scratch.residuals;
+  const double scale = robustSigmaInPlace(scratch.sorted);
   if (!(scale > 0.0))
     return first;
   for (std::size_t i = 0; i < found.size(); ++i)
-    found[i].weight *= tukey(residuals[i] / scale);
+    found[i].weight *= tukey(scratch.residuals[i] / scale);
   return regress(found);
 }
 
@@ -95,15 +103,19 @@ LocalLine predict(std::vector<Neighbour> found)
 double bestWindow(const std::vector<double>& s, const AlongWeld& raw)
 {
   double best = 0.0, least = INFINITY;
+  Scratch scratch;
+  std::vector<double> errors;
   for (const double window : kWindows)
   {
-    std::vector<double> errors;
+    errors.clear();
     for (std::size_t k = 0; k < s.size(); ++k)
     {
-      if (std::isfinite(raw.value[k]))
-        errors.push_back(raw.value[k] - predict(neighbours(s, raw, k, window, 1)).value);
+      if (!std::isfinite(raw.value[k]))
+        continue;
+      findNeighbours(s, raw, k, window, 1, scratch.found);
+      errors.push_back(raw.value[k] - predict(scratch).value);
     }
-    const double error = robustSigma(std::move(errors));
+    const double error = robustSigmaInPlace(errors);
     if (!(error < least))
       continue;
     least = error;
@@ -141,11 +153,13 @@ AlongWeld smoothAlong(const std::vector<double>& s, const AlongWeld& raw)
     return result;
   std::vector<LocalLine> lines(s.size());
   std::vector<double> departures;
+  Scratch scratch;
   for (std::size_t k = 0; k < s.size(); ++k)
   {
     if (!std::isfinite(raw.value[k]))
       continue;
-    lines[k] = predict(neighbours(s, raw, k, window, -1));
+    findNeighbours(s, raw, k, window, -1, scratch.found);
+    lines[k] = predict(scratch);
     departures.push_back((raw.value[k] - lines[k].value) / raw.sigma[k] /
                          std::sqrt(std::max(0.1, 1.0 - lines[k].share)));
   }
@@ -167,6 +181,7 @@ AlongWeld smoothAlong(const std::vector<double>& s, const AlongWeld& raw)
 AlongWeld continueAlong(const std::vector<double>& s, const AlongWeld& smooth, const Continuation& how)
 {
   AlongWeld result = smooth;
+  Scratch scratch;
   for (std::size_t k = 0; k < s.size(); ++k)
   {
     if (std::isfinite(smooth.value[k]))
@@ -179,7 +194,8 @@ AlongWeld continueAlong(const std::vector<double>& s, const AlongWeld& smooth, c
     }
     if (!(nearest <= how.reach))
       continue;
-    std::vector<Neighbour> found;
+    std::vector<Neighbour>& found = scratch.found;
+    found.clear();
     std::vector<double> sigmas;
     for (std::size_t j = 0; j < s.size(); ++j)
     {
@@ -188,7 +204,7 @@ AlongWeld continueAlong(const std::vector<double>& s, const AlongWeld& smooth, c
       found.push_back(Neighbour{ s[j] - s[k], smooth.value[j], 1.0 / std::max(square(smooth.sigma[j]), 1e-18) });
       sigmas.push_back(smooth.sigma[j]);
     }
-    const LocalLine line = how.level ? mean(found) : predict(found);
+    const LocalLine line = how.level ? mean(found) : predict(scratch);
     if (!std::isfinite(line.value))
       continue;
     // smoothed neighbours err alike: a line's slope is no better than one sigma over half the window

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -30,6 +31,22 @@ double smallRoot(double a, double b, double c)
 Eigen::Vector3d rowOf(const Eigen::Vector2d& local)
 {
   return Eigen::Vector3d(1.0, local.x(), local.squaredNorm());
+}
+
+/// Sum of row rowT over the points.
+Eigen::Matrix3d sumOver(const std::vector<Eigen::Vector2d>& places, const std::vector<double>& weights)
+{
+  double n = 0.0, p = 0.0, r = 0.0, pp = 0.0, pr = 0.0, rr = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double place = places[i].x(), square = places[i].squaredNorm();
+    const double weighted = weights[i] * place, weighted_square = weights[i] * square;
+    n += weights[i], p += weighted, r += weighted_square;
+    pp += weighted * place, pr += weighted * square, rr += weighted_square * square;
+  }
+  Eigen::Matrix3d sum;
+  sum << n, p, r, p, pp, pr, r, pr, rr;
+  return sum;
 }
 }  // namespace
 
@@ -60,22 +77,23 @@ bool FaceArc::layFrame(const std::vector<FacePoint>& points)
 /// One weighted regression; false where the points do not determine an arc.
 bool FaceArc::regress(const std::vector<Eigen::Vector2d>& places, const std::vector<double>& weights)
 {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(), squared = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const Eigen::Vector3d row = rowOf(places[i]);
-    const Eigen::Matrix3d product = weights[i] * row * row.transpose();
-    normal += product;
-    squared += weights[i] * product;
-    right += weights[i] * places[i].y() * row;
-  }
-  const Eigen::Matrix3d inverse = normal.inverse();
+  const Eigen::Matrix3d inverse = sumOver(places, weights).inverse();
   if (!inverse.allFinite())
     return false;
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    right += weights[i] * places[i].y() * rowOf(places[i]);
   values_ = inverse * right;
-  shape_ = inverse * squared * inverse;
   return true;
+}
+
+/// The values' covariance for points of unit variance, with the weights of the last regression.
+void FaceArc::tellShape(const std::vector<Eigen::Vector2d>& places, std::vector<double> weights)
+{
+  const Eigen::Matrix3d inverse = sumOver(places, weights).inverse();
+  for (double& weight : weights)
+    weight *= weight;
+  shape_ = inverse * sumOver(places, weights) * inverse;
 }
 
 FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
@@ -87,7 +105,7 @@ FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
   places.reserve(points.size());
   for (const FacePoint& point : points)
     places.push_back(arc.local(point.place));
-  std::vector<double> residuals(points.size(), 0.0), weights(points.size());
+  std::vector<double> residuals(points.size(), 0.0), weights(points.size()), sorted;
   double scale = 1.0;
   for (int round = 0; round < kRounds; ++round)
   {
@@ -97,8 +115,10 @@ FaceArc FaceArc::fit(const std::vector<FacePoint>& points)
       return arc;
     for (std::size_t i = 0; i < points.size(); ++i)
       residuals[i] = places[i].y() - rowOf(places[i]).dot(arc.values_);
-    scale = std::max(robustSigma(residuals), kLeastScatter);
+    sorted = residuals;
+    scale = std::max(robustSigmaInPlace(sorted), kLeastScatter);
   }
+  arc.tellShape(places, std::move(weights));
   arc.scatter_ = scale;
   arc.valid_ = arc.values_.allFinite();
   return arc;

@@ -46,6 +46,7 @@ public:
 private:
   bool layFrame(const std::vector<FacePoint>& points);
   bool regress(const std::vector<Eigen::Vector2d>& places, const std::vector<double>& weights);
+  void tellShape(const std::vector<Eigen::Vector2d>& places, std::vector<double> weights);
   Eigen::Vector2d local(const Eigen::Vector2d& place) const;
   double bendAt(const Eigen::Vector2d& origin, const Eigen::Vector2d& direction, double curvature) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Core>
+
 #include "statistics.h"
 
 namespace weld_profiler
@@ -24,6 +26,8 @@ struct Piece
   std::vector<double> q, z, weight;
   std::vector<double> residual;
 };
+
+using Numbers = Eigen::Map<Eigen::ArrayXd>;
 
 /// Sum over the lags of the residuals' correlation: that many neighbours tell as much as one independent point.
 double correlationLength(const Piece& piece)
@@ -58,6 +62,8 @@ double correlationLength(const Piece& piece)
 Piece cut(const SectionProfile& profile, Side side, double from, double to)
 {
   Piece piece;
+  piece.q.reserve(profile.size());
+  piece.z.reserve(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
     const double outward = sign(side) * profile.q[i];
@@ -84,44 +90,38 @@ double scatterOf(const Piece& piece)
 }
 
 /// One weighted regression about the piece's middle.
-void regress(const Piece& piece, ParentFit& fit)
+void regress(const Numbers& q, const Numbers& z, const Numbers& weight, ParentFit& fit)
 {
-  double n = 0.0, q = 0.0, z = 0.0;
-  for (std::size_t i = 0; i < piece.q.size(); ++i)
-    n += piece.weight[i], q += piece.weight[i] * piece.q[i], z += piece.weight[i] * piece.z[i];
-  q /= n, z /= n;
-  double qq = 0.0, qz = 0.0;
-  for (std::size_t i = 0; i < piece.q.size(); ++i)
-  {
-    qq += piece.weight[i] * square(piece.q[i] - q);
-    qz += piece.weight[i] * (piece.q[i] - q) * (piece.z[i] - z);
-  }
-  fit.middle = q;
+  const double n = weight.sum(), middle = (weight * q).sum() / n, height = (weight * z).sum() / n;
+  const double qq = (weight * (q - middle).square()).sum();
+  const double qz = (weight * (q - middle) * (z - height)).sum();
+  fit.middle = middle;
   fit.line.slope = qz / qq;
-  fit.line.height = z - fit.line.slope * q;
+  fit.line.height = height - fit.line.slope * middle;
   fit.covariance = Eigen::Vector2d(1.0 / n, 1.0 / qq).asDiagonal();
 }
 
 void fitRobustly(const Line& guess, double scale, Piece& piece, ParentFit& fit)
 {
+  const auto count = static_cast<Eigen::Index>(piece.q.size());
+  const Numbers q(piece.q.data(), count), z(piece.z.data(), count);
+  Numbers weight(piece.weight.data(), count), residual(piece.residual.data(), count);
   fit.line = guess;
   for (int round = 0; round < kRounds; ++round)
   {
     const double upright = std::cos(fit.line.angle());
-    for (std::size_t i = 0; i < piece.q.size(); ++i)
-      piece.residual[i] = (piece.z[i] - fit.line.at(piece.q[i])) * upright;
+    residual = (z - fit.line.height - fit.line.slope * q) * upright;
     if (round > 0)
       scale = std::min(scale, std::max(scatterOf(piece), kLeastScatter));  // a clamp widens nothing
-    double sum = 0.0;
-    for (std::size_t i = 0; i < piece.q.size(); ++i)
-      sum += piece.weight[i] = tukey(piece.residual[i] / scale);
-    if (!(sum > 8.0))
+    // Tukey's biweight
+    weight = (1.0 - (residual / (kTukeyReach * scale)).square()).max(0.0).square();
+    if (!(weight.sum() > 8.0))
     {
       fit.line = Line();
       return;
     }
     const double last = fit.line.at(fit.middle);
-    regress(piece, fit);
+    regress(q, z, weight, fit);
     if (round > 1 && std::abs(fit.line.at(fit.middle) - last) < kConverged)
       break;
   }

@@ -21,20 +21,35 @@ public:
     grid_row_.assign(view.scan.rows.size(), -1);
     for (int row = 0; row < view.grid.rows; ++row)
       grid_row_[static_cast<std::size_t>(view.grid.scan_row[static_cast<std::size_t>(row)])] = row;
+    for (std::size_t k = 0; k < view.sections.size(); ++k)
+      limits_.push_back(limitsOf(k));
   }
 
   void operator()(WeldResult& result) const
   {
-    const std::size_t count = view_.scan.rows.size() * view_.scan.cells;
-    result.labels.assign(count, static_cast<std::uint8_t>(WeldLabel::Unknown));
-    result.removal.assign(count, std::numeric_limits<float>::quiet_NaN());
-    result.target.assign(count, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t row = 0; row < view_.scan.rows.size(); ++row)
       for (const CloudPoint& point : view_.scan.rows[row].points)
         fill(row, point, result);
   }
 
 private:
+  /// What a section's points are held against: the same for all of them.
+  struct Limits
+  {
+    double rest = 0.0;                               ///< of the target above the chord [m]
+    double left = 0.0, right = 0.0;                  ///< distance from a parent that is still its surface [m]
+    double upright_left = 1.0, upright_right = 1.0;  ///< distance from a parent for a height above it
+  };
+
+  Limits limitsOf(std::size_t k) const
+  {
+    const SectionShape& shape = view_.sections.shape(k);
+    const double least = 3.0 * params_.flatness;
+    return Limits{ restAbove(view_.zones.chord(k), params_), std::max(least, 8.0 * shape.left.scatter),
+                   std::max(least, 8.0 * shape.right.scatter), 1.0 / std::sqrt(1.0 + square(shape.left.line.slope)),
+                   1.0 / std::sqrt(1.0 + square(shape.right.line.slope)) };
+  }
+
   void fill(std::size_t row, const CloudPoint& point, WeldResult& result) const
   {
     if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z) || grid_row_[row] < 0)
@@ -54,7 +69,7 @@ private:
     if (!std::isfinite(flush) || beyondEnds(place.s))
       return;
     const bool weld = view_.zones.zone(k, place.q) == Zone::Weld;
-    const double target = flush + (weld ? restAbove(view_.zones.chord(k), params_) : 0.0);
+    const double target = flush + (weld ? limits_[k].rest : 0.0);
     result.target[at] = static_cast<float>(target);
     if (label == WeldLabel::Bead || label == WeldLabel::Spatter)
       result.removal[at] = static_cast<float>(std::max(0.0, z - target));
@@ -75,37 +90,44 @@ private:
     if (stray == Stray::Spatter)
       return WeldLabel::Spatter;
     const Zone zone = view_.zones.zone(k, place.q);
-    const SectionShape& shape = view_.sections.shape(k);
     if (zone == Zone::Nowhere)
       return WeldLabel::Unknown;
     if (beyondEnds(place.s))
-      return besideEnd(shape, place, z) ? WeldLabel::Base : WeldLabel::Unknown;
+      return besideEnd(k, place, z) ? WeldLabel::Base : WeldLabel::Unknown;
     if (zone == Zone::Weld)
       return WeldLabel::Bead;
     const bool left = zone == Zone::LeftParent;
-    const double outside = std::abs(place.q - view_.sections.mappedToe(k, left ? Side::Left : Side::Right));
+    const double outside = std::abs(place.q - (left ? view_.zones.leftToe(k) : view_.zones.rightToe(k)));
     if (outside < (left ? undercut_left_[k] : undercut_right_[k]))
       return WeldLabel::Undercut;
-    const ParentFit& parent = left ? shape.left : shape.right;
-    const double tolerance = std::max(3.0 * params_.flatness, 8.0 * parent.scatter) + view_.zones.slack(place.s);
-    const bool near_toe = outside < params_.undercut_reach;  // rims of undercuts too shallow to be one
-    return near_toe || std::abs(parent.line.above(place.q, z)) < tolerance ? WeldLabel::Base : WeldLabel::Unknown;
+    // rims of undercuts too shallow to be one lie near the toe
+    const bool plate = outside < params_.undercut_reach ||
+                       std::abs(offParent(k, left, place.q, z)) <
+                           (left ? limits_[k].left : limits_[k].right) + view_.zones.slack(place.s);
+    return plate ? WeldLabel::Base : WeldLabel::Unknown;
+  }
+
+  double offParent(std::size_t k, bool left, double q, double z) const
+  {
+    const SectionShape& shape = view_.sections.shape(k);
+    return left ? (z - shape.left.line.at(q)) * limits_[k].upright_left
+                : (z - shape.right.line.at(q)) * limits_[k].upright_right;
   }
 
   /// Plate before the bead begins and behind where it ends: near one of the parents continued.
-  bool besideEnd(const SectionShape& shape, const PathPlace& place, double z) const
+  bool besideEnd(std::size_t k, const PathPlace& place, double z) const
   {
-    const double tolerance = std::max(3.0 * params_.flatness, 8.0 * std::max(shape.left.scatter, shape.right.scatter)) +
-                             view_.zones.slack(place.s);
-    return std::abs(shape.left.line.above(place.q, z)) < tolerance ||
-           std::abs(shape.right.line.above(place.q, z)) < tolerance;
+    const double tolerance = std::max(limits_[k].left, limits_[k].right) + view_.zones.slack(place.s);
+    return std::abs(offParent(k, true, place.q, z)) < tolerance ||
+           std::abs(offParent(k, false, place.q, z)) < tolerance;
   }
 
   const SeamView& view_;
   const std::vector<double>& undercut_left_;
   const std::vector<double>& undercut_right_;
   const WeldParams& params_;
-  std::vector<int> grid_row_;  ///< of each row of the scan
+  std::vector<int> grid_row_;   ///< of each row of the scan
+  std::vector<Limits> limits_;  ///< one a section
 };
 }  // namespace
 

@@ -24,7 +24,8 @@ struct SeamView
   bool ends = false;    ///< and its last
 };
 
-/// Fills labels, removal and target of a result for every point of the scan, filled-in ones included.
+/// Fills labels, removal and target of a result, which are as large as the scan and say unknown, for every point of the
+/// scan, filled-in ones included.
 void fillMaps(const SeamView& view, const std::vector<double>& undercut_left, const std::vector<double>& undercut_right,
               const WeldParams& params, WeldResult& result);
 

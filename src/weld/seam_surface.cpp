@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "column_medians.h"
 #include "known_bead.h"
 #include "statistics.h"
 #include "toe_sway.h"
@@ -25,6 +26,7 @@ constexpr double kAlong = 6e-4;            // by which a sloping surface may be 
 constexpr std::size_t kAlongSections = 3;  // its slope is taken from section to section so many off
 constexpr double kLevel = 0.1;             // ripples make slopes up to this
 constexpr double kBeyond = 3e-4;           // of the last section, that is still told from it [m]
+static_assert(kMost <= kMostMedianRows, "more rows than medians are told of");
 }  // namespace
 
 SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zones_(sections)
@@ -97,7 +99,7 @@ void SeamSurface::findKnown(const std::vector<float>& sampled)
 
 double SeamSurface::binOf(std::size_t k, double q) const
 {
-  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
+  const double left = zones_.leftToe(k), right = zones_.rightToe(k);
   switch (zones_.zone(k, q))
   {
     case Zone::LeftParent:
@@ -117,7 +119,7 @@ double SeamSurface::binOf(std::size_t k, double q) const
 
 double SeamSurface::placeOf(std::size_t k, int bin) const
 {
-  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
+  const double left = zones_.leftToe(k), right = zones_.rightToe(k);
   if (bin < kOutside)
     return left - (kOutside - bin) * kBin;
   if (bin > kOutside + inside_)
@@ -151,7 +153,10 @@ void SeamSurface::fillMedians(const std::vector<float>& rises, double reach)
   tolerances_.clear();
   medians_.assign(rises.size(), std::numeric_limits<float>::quiet_NaN());
   std::vector<std::vector<double>> departures(columns);
-  std::vector<double> near;
+  for (std::vector<double>& one : departures)
+    one.reserve(places.size());
+  std::vector<const float*> near;
+  std::vector<double> middles;
   for (std::size_t k = 0; k < places.size(); ++k)
   {
     const auto begin =
@@ -159,20 +164,19 @@ void SeamSurface::fillMedians(const std::vector<float>& rises, double reach)
     const auto end =
         static_cast<std::size_t>(std::upper_bound(places.begin(), places.end(), places[k] + reach) - places.begin());
     const std::size_t stride = (end - begin + kMost - 1) / kMost;
+    near.clear();
+    for (std::size_t j = begin; j < end; j += stride)
+      near.push_back(rises.data() + j * columns);
+    columnMedians(near, columns, middles);
     for (std::size_t bin = 0; bin < columns; ++bin)
     {
-      near.clear();
-      for (std::size_t j = begin; j < end; j += stride)
-        if (std::isfinite(rises[j * columns + bin]))
-          near.push_back(static_cast<double>(rises[j * columns + bin]));
-      const double middle = median(near);
-      medians_[k * columns + bin] = static_cast<float>(middle);
-      departures[bin].push_back(static_cast<double>(rises[k * columns + bin]) - middle);
+      medians_[k * columns + bin] = static_cast<float>(middles[bin]);
+      departures[bin].push_back(static_cast<double>(rises[k * columns + bin]) - middles[bin]);
     }
   }
-  for (std::size_t bin = 0; bin < columns; ++bin)
+  for (std::vector<double>& one : departures)
   {
-    const double sigma = robustSigma(std::move(departures[bin]));
+    const double sigma = robustSigmaInPlace(one);
     tolerances_.push_back(static_cast<float>(std::max(kLeastFace, std::isfinite(sigma) ? kRippleSigmas * sigma : 0.0)));
   }
 }
@@ -195,17 +199,15 @@ double SeamSurface::departure(std::size_t k, double q, double z) const
 /// Whether the bead's edge may lie here or not.
 bool SeamSurface::atSwayingToe(std::size_t k, double q) const
 {
-  return std::abs(q - sections_.mappedToe(k, Side::Left)) < sway_left_[k] ||
-         std::abs(q - sections_.mappedToe(k, Side::Right)) < sway_right_[k];
+  return std::abs(q - zones_.leftToe(k)) < sway_left_[k] || std::abs(q - zones_.rightToe(k)) < sway_right_[k];
 }
 
-double SeamSurface::alongSlack(std::size_t k, const PathPlace& place) const
+double SeamSurface::alongSlack(std::size_t k, const PathPlace& place, double bin) const
 {
   // where a bead ends and its toes close in, what lies between them is not known
   const bool beside = zones_.slack(place.s) > 0.0 && std::abs(place.s - sections_.places()[k]) > kBeyond;
   if (((known_[k] == 0 || beside) && onFace(k, place.q)) || atSwayingToe(k, place.q))
     return INFINITY;
-  const double bin = binOf(k, place.q);
   const std::size_t before = k - std::min(k, kAlongSections),
                     after = std::min(k + kAlongSections, sections_.size() - 1);
   if (bin < 0.0 || before == after)
@@ -223,7 +225,7 @@ double SeamSurface::tolerance(std::size_t k, const PathPlace& place) const
   const double bin = binOf(k, place.q);
   const double known =
       bin >= 0.0 ? static_cast<double>(tolerances_[static_cast<std::size_t>(std::lround(bin))]) : parent_tolerance_;
-  return known + zones_.slack(place.s) + alongSlack(k, place);
+  return known + zones_.slack(place.s) + alongSlack(k, place, bin);
 }
 }  // namespace weld
 }  // namespace weld_profiler

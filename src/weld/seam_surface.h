@@ -20,6 +20,7 @@ public:
   /// @param without  points of the grid that are known to be no part of the surface: they do not drag its median along.
   SeamSurface(const SeamSections& sections, const SectionSampler& sampler, const std::vector<std::uint8_t>& without);
 
+  std::size_t size() const { return sections_.size(); }
   std::size_t nearestSection(double s) const { return zones_.nearestSection(s); }
   bool onFace(std::size_t k, double q) const { return zones_.zone(k, q) == Zone::Weld; }
   double yaw(std::size_t k) const { return sections_.profile(k).place.yaw; }
@@ -29,7 +30,7 @@ public:
 
   /// What more is let pass where the surface rises or falls along the weld, as at its ends; anything
   /// where the bead is not known [m].
-  double alongSlack(std::size_t k, const PathPlace& place) const;
+  double alongSlack(std::size_t k, const PathPlace& place) const { return alongSlack(k, place, binOf(k, place.q)); }
 
   /// Departures beyond this are no part of the surface; more is let pass where no section lies [m].
   double tolerance(std::size_t k, const PathPlace& place) const;
@@ -38,6 +39,7 @@ private:
   /// Position in the stack of bins: whole numbers are bins' middles; negative = beyond the stack.
   double binOf(std::size_t k, double q) const;
   double placeOf(std::size_t k, int bin) const;
+  double alongSlack(std::size_t k, const PathPlace& place, double bin) const;
   double rise(std::size_t k, double bin) const;
   bool atSwayingToe(std::size_t k, double q) const;
   std::vector<float> prepare();

@@ -9,74 +9,45 @@ namespace weld
 namespace
 {
 constexpr double kSlack = 0.05;  // per metre beyond the sections
+constexpr double kEarly = 1e-6;  // of a step: rounding leads to no section behind the nearest
 }  // namespace
 
 SeamZones::SeamZones(const SeamSections& sections) : sections_(sections)
 {
   const std::vector<double>& places = sections.places();
+  across_.reserve(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    across_.push_back(acrossOf(sections, k));
   if (places.size() < 2)
     return;
   begin_ = places.front();
   const double step = (places.back() - begin_) / static_cast<double>(places.size() - 1);
   per_metre_ = 1.0 / step;
+  last_step_ = static_cast<double>(places.size() - 1);
   std::size_t k = 0;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    while (k + 1 < places.size() && places[k] < begin_ + static_cast<double>(i) * step)
+    const double s = begin_ + (static_cast<double>(i) - kEarly) * step;
+    while (k + 1 < places.size() && !(s - places[k] < places[k + 1] - s))
       ++k;
-    first_.push_back(k);
+    nearest_.push_back(k);
   }
 }
 
-std::size_t SeamZones::nearestSection(double s) const
+SeamZones::Across SeamZones::acrossOf(const SeamSections& sections, std::size_t k)
 {
-  const std::vector<double>& places = sections_.places();
-  if (!(s > begin_) || first_.empty())
-    return 0;
-  const auto step =
-      static_cast<std::size_t>(std::min((s - begin_) * per_metre_, static_cast<double>(first_.size() - 1)));
-  std::size_t k = first_[step];
-  while (k > 0 && places[k - 1] >= s)
-    --k;
-  while (k < places.size() && places[k] < s)
-    ++k;
-  return k == places.size() || (k > 0 && s - places[k - 1] < places[k] - s) ? k - 1 : k;
-}
-
-Zone SeamZones::zone(std::size_t k, double q) const
-{
-  const SectionShape& shape = sections_.shape(k);
-  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
-  if (q < left)
-    return shape.left.valid() ? Zone::LeftParent : Zone::Nowhere;
-  if (q > right)
-    return shape.right.valid() ? Zone::RightParent : Zone::Nowhere;
-  return left < right && shape.left.valid() && shape.right.valid() ? Zone::Weld : Zone::Nowhere;
-}
-
-Line SeamZones::chord(std::size_t k) const
-{
-  const SectionShape& shape = sections_.shape(k);
-  const double left = sections_.mappedToe(k, Side::Left), right = sections_.mappedToe(k, Side::Right);
-  const double z = shape.left.line.at(left), slope = (shape.right.line.at(right) - z) / (right - left);
-  return Line{ z - slope * left, slope };
-}
-
-double SeamZones::flush(std::size_t k, double q) const
-{
-  const SectionShape& shape = sections_.shape(k);
-  switch (zone(k, q))
-  {
-    case Zone::LeftParent:
-      return shape.left.line.at(q);
-    case Zone::RightParent:
-      return shape.right.line.at(q);
-    case Zone::Weld:
-      return chord(k).at(q);
-    case Zone::Nowhere:
-      break;
-  }
-  return kNaN;
+  const SectionShape& shape = sections.shape(k);
+  Across across;
+  across.left = sections.mappedToe(k, Side::Left), across.right = sections.mappedToe(k, Side::Right);
+  across.left_parent = shape.left.line, across.right_parent = shape.right.line;
+  const double z = shape.left.line.at(across.left);
+  const double slope = (shape.right.line.at(across.right) - z) / (across.right - across.left);
+  across.chord = Line{ z - slope * across.left, slope };
+  across.before = shape.left.valid() ? Zone::LeftParent : Zone::Nowhere;
+  across.behind = shape.right.valid() ? Zone::RightParent : Zone::Nowhere;
+  const bool whole = across.left < across.right && shape.left.valid() && shape.right.valid();
+  across.between = whole ? Zone::Weld : Zone::Nowhere;
+  return across;
 }
 
 double SeamZones::slack(double s) const

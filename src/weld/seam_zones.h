@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "seam_sections.h"
@@ -24,23 +26,67 @@ public:
   /// @param sections  must outlive the zones.
   explicit SeamZones(const SeamSections& sections);
 
-  std::size_t nearestSection(double s) const;
-  Zone zone(std::size_t k, double q) const;
+  std::size_t nearestSection(double s) const
+  {
+    const std::vector<double>& places = sections_.places();
+    if (!(s > begin_) || nearest_.empty())
+      return 0;
+    std::size_t k = nearest_[static_cast<std::size_t>(std::min((s - begin_) * per_metre_, last_step_))];
+    while (k + 1 < places.size() && !(s - places[k] < places[k + 1] - s))
+      ++k;
+    return k;
+  }
+
+  Zone zone(std::size_t k, double q) const
+  {
+    const Across& across = across_[k];
+    return q < across.left ? across.before : q > across.right ? across.behind : across.between;
+  }
 
   /// Parent lines, and the chord of the toes between them; NaN where nothing is known [m].
-  double flush(std::size_t k, double q) const;
+  double flush(std::size_t k, double q) const
+  {
+    const Across& across = across_[k];
+    switch (zone(k, q))
+    {
+      case Zone::LeftParent:
+        return across.left_parent.at(q);
+      case Zone::RightParent:
+        return across.right_parent.at(q);
+      case Zone::Weld:
+        return across.chord.at(q);
+      case Zone::Nowhere:
+        break;
+    }
+    return kNaN;
+  }
+
+  /// Toes that a section is mapped between [m].
+  double leftToe(std::size_t k) const { return across_[k].left; }
+  double rightToe(std::size_t k) const { return across_[k].right; }
 
   /// Through the parent lines at the toes that a section is mapped between; not valid where one is not known.
-  Line chord(std::size_t k) const;
+  const Line& chord(std::size_t k) const { return across_[k].chord; }
 
   /// What more is let pass at s: nothing between the first section and the last [m].
   double slack(double s) const;
 
 private:
+  /// A section's parts from left to right: every point of a scan asks for them.
+  struct Across
+  {
+    double left = kNaN, right = kNaN;
+    Zone before = Zone::Nowhere, between = Zone::Nowhere, behind = Zone::Nowhere;
+    Line left_parent, chord, right_parent;
+  };
+  static Across acrossOf(const SeamSections& sections, std::size_t k);
+
   const SeamSections& sections_;
+  std::vector<Across> across_;
   double begin_ = 0.0;
-  double per_metre_ = 1.0;          ///< steps
-  std::vector<std::size_t> first_;  ///< of each equal step along the weld, the first section not before it
+  double per_metre_ = 1.0;  ///< steps
+  double last_step_ = 0.0;
+  std::vector<std::size_t> nearest_;  ///< of each equal step along the weld, the section nearest to where it begins
 };
 
 }  // namespace weld

@@ -11,9 +11,8 @@ namespace weld
 {
 namespace
 {
-constexpr double kBridge = 3.2;      // rows that may lie between two points interpolated between
-constexpr double kAlone = 0.6;       // rows that one point alone may be off the plane
-constexpr std::size_t kGuessed = 8;  // points that are looked for from one place
+constexpr double kBridge = 3.2;  // rows that may lie between two points interpolated between
+constexpr double kAlone = 0.6;   // rows that one point alone may be off the plane
 }  // namespace
 
 SectionSampler::SectionSampler(const ScanGrid& grid, const WeldPath& path) : grid_(grid), path_(path)
@@ -31,21 +30,25 @@ void SectionSampler::placeRow(int row)
     ++first;
   if (first == grid_.cells)
     return;  // rows without points are not in the grid
-  const std::size_t begin = grid_.at(row, 0);
+  const std::size_t begin = grid_.at(row, 0), end = begin + static_cast<std::size_t>(grid_.cells);
   double x = static_cast<double>(grid_.x[begin + static_cast<std::size_t>(first)]) - (first + 1) * grid_.spacing;
   double y = static_cast<double>(grid_.y[begin + static_cast<std::size_t>(first)]);
-  double near_s = path_.sAt(y);
-  const std::size_t end = begin + static_cast<std::size_t>(grid_.cells);
-  for (std::size_t i = begin; i < end; ++i)
+  double near_s = path_.locate(x, y, path_.sAt(y)).s;
+  WeldPath::Together points;
+  for (std::size_t i = begin; i < end; i += WeldPath::kTogether)
   {
-    const bool hole = !std::isfinite(grid_.z[i]);
-    x = hole ? x + grid_.spacing : static_cast<double>(grid_.x[i]);
-    y = hole ? y : static_cast<double>(grid_.y[i]);
-    const PathPlace place = path_.locate(x, y, near_s);
-    places_[i] = SmallPlace{ static_cast<float>(place.q), static_cast<float>(place.s) };
-    // a guess that waits for no other point: a tenth of a millimetre off is as good
-    if ((i - begin) % kGuessed == 0)
-      near_s = place.s;
+    const std::size_t count = std::min(WeldPath::kTogether, end - i);
+    for (std::size_t j = 0; j < WeldPath::kTogether; ++j)
+    {
+      const bool hole = j >= count || !std::isfinite(grid_.z[i + j]);
+      x = hole ? x + grid_.spacing : static_cast<double>(grid_.x[i + j]);
+      y = hole ? y : static_cast<double>(grid_.y[i + j]);
+      points.x[j] = x, points.y[j] = y;
+    }
+    path_.locate(near_s, points);
+    for (std::size_t j = 0; j < count; ++j)
+      places_[i + j] = SmallPlace{ static_cast<float>(points.q[j]), static_cast<float>(points.s[j]) };
+    near_s = points.s.back();  // a guess for the next ones
   }
 }
 
@@ -66,19 +69,26 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
   }
   const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
   const int reach = 3;
+  const auto cells = static_cast<std::size_t>(grid_.cells);
+  const double most = kBridge * profile.row_pitch;
   int row = middle;  // where the last column crossed the plane
   for (int column = 0; column < grid_.cells; ++column)
   {
     const auto along = [&](int r) { return static_cast<double>(places_[grid_.at(r, column)].s); };
-    while (row + 1 < grid_.rows && along(row + 1) <= s)
+    std::size_t i = grid_.at(row, column);
+    for (; row + 1 < grid_.rows && static_cast<double>(places_[i + cells].s) <= s; i += cells)
       ++row;
-    while (row > 0 && along(row) > s)
+    for (; row > 0 && static_cast<double>(places_[i].s) > s; i -= cells)
       --row;
     // mostly both are there
-    if (row + 1 < grid_.rows && along(row) <= s && usable(grid_.at(row, column)) && usable(grid_.at(row + 1, column)))
+    if (row + 1 < grid_.rows && static_cast<double>(places_[i].s) <= s && usable(i) && usable(i + cells))
     {
-      add(s, column, row, row + 1, profile);
-      continue;
+      const double before = s - place(i).s, after = place(i + cells).s - s;
+      if (before + after <= most)
+      {
+        put(i, i + cells, before / (before + after), profile);
+        continue;
+      }
     }
     int below = -1, above = -1;
     for (int r = std::min(grid_.rows - 1, row + 1); r >= std::max(0, row - reach) && below < 0; --r)
@@ -104,8 +114,11 @@ void SectionSampler::add(double s, int column, int below, int above, SectionProf
     share = 1.0;
   else
     return;
-  const std::size_t a = grid_.at(share < 1.0 ? below : above, column);
-  const std::size_t b = grid_.at(share > 0.0 ? above : below, column);
+  put(grid_.at(share < 1.0 ? below : above, column), grid_.at(share > 0.0 ? above : below, column), share, profile);
+}
+
+void SectionSampler::put(std::size_t a, std::size_t b, double share, SectionProfile& profile) const
+{
   profile.q.push_back((1.0 - share) * place(a).q + share * place(b).q);
   profile.z.push_back((1.0 - share) * static_cast<double>(grid_.z[a]) + share * static_cast<double>(grid_.z[b]));
 }

@@ -50,6 +50,8 @@ public:
 private:
   void placeRow(int row);
   void add(double s, int column, int below, int above, SectionProfile& profile) const;
+  /// The point between a and b; share = of b.
+  void put(std::size_t a, std::size_t b, double share, SectionProfile& profile) const;
 
   const ScanGrid& grid_;
   const WeldPath& path_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -9,41 +10,57 @@ namespace weld_profiler
 {
 namespace weld
 {
+/// Median of what is finite in [begin, end), which it reorders; NaN of nothing.
+inline double medianInPlace(double* begin, double* end)
+{
+  end = std::remove_if(begin, end, [](double v) { return !std::isfinite(v); });
+  const auto size = end - begin;
+  if (size == 0)
+    return std::numeric_limits<double>::quiet_NaN();
+  double* const middle = begin + size / 2;
+  constexpr std::ptrdiff_t kFew = 24;  // sorting so few is faster than selecting
+  if (size <= kFew)
+  {
+    for (double* next = begin + 1; next < end; ++next)
+    {
+      const double value = *next;
+      double* at = next;
+      for (; at > begin && *(at - 1) > value; --at)
+        *at = *(at - 1);
+      *at = value;
+    }
+    return size % 2 == 1 ? *middle : 0.5 * (*middle + *(middle - 1));
+  }
+  std::nth_element(begin, middle, end);
+  return size % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(begin, middle));
+}
+
+inline double medianInPlace(std::vector<double>& values)
+{
+  return medianInPlace(values.data(), values.data() + values.size());
+}
+
 /// Median of what is finite; NaN of nothing. Reorders its copy.
 inline double median(std::vector<double> values)
 {
-  values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }), values.end());
-  if (values.empty())
-    return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  constexpr std::size_t kFew = 24;  // sorting so few is faster than selecting
-  if (values.size() <= kFew)
-  {
-    for (std::size_t i = 1; i < values.size(); ++i)
-    {
-      const double value = values[i];
-      std::size_t at = i;
-      for (; at > 0 && values[at - 1] > value; --at)
-        values[at] = values[at - 1];
-      values[at] = value;
-    }
-    return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *(middle - 1));
-  }
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1)
-    return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+  return medianInPlace(values);
 }
 
 /// Of normal noise, median absolute value times this is the standard deviation.
 constexpr double kMadToSigma = 1.4826;
 
-/// Standard deviation about zero, told from the median absolute value: outliers hardly count. NaN of nothing.
-inline double robustSigma(std::vector<double> values)
+/// As robustSigma, of values that it changes and reorders.
+inline double robustSigmaInPlace(std::vector<double>& values)
 {
   for (double& value : values)
     value = std::abs(value);
-  return kMadToSigma * median(std::move(values));
+  return kMadToSigma * medianInPlace(values);
+}
+
+/// Standard deviation about zero, told from the median absolute value: outliers hardly count. NaN of nothing.
+inline double robustSigma(std::vector<double> values)
+{
+  return robustSigmaInPlace(values);
 }
 
 inline double square(double value)

@@ -55,7 +55,7 @@ private:
   {
     if (!std::isfinite(grid_.z[i]))
       return;
-    const PathPlace& place = sampler_.place(i);
+    const PathPlace place = sampler_.place(i);
     const std::size_t k = surface_.nearestSection(place.s);
     const double departure = surface_.departure(k, place.q, static_cast<double>(grid_.z[i]));
     result_.on_face[i] = surface_.onFace(k, place.q) ? 1 : 0;
@@ -87,7 +87,8 @@ private:
 
     double middle() const
     {
-      return median(std::vector<double>(height.begin(), height.begin() + static_cast<std::ptrdiff_t>(count)));
+      std::array<double, 2 * kNeighbours> sorted = height;
+      return medianInPlace(sorted.data(), sorted.data() + count);
     }
 
     /// Whether their median lies within `reach` of `at`, for certain.
@@ -107,22 +108,38 @@ private:
   {
     const int row = static_cast<int>(i / static_cast<std::size_t>(grid_.cells));
     const int column = static_cast<int>(i % static_cast<std::size_t>(grid_.cells));
-    const double rows_per_column =
-        std::tan(surface_.yaw(surface_.nearestSection(sampler_.place(i).s))) * grid_.spacing / grid_.pitch;
+    const std::array<int, 2 * kNeighbours + 1>& rows_off = rows_off_[surface_.nearestSection(sampler_.place(i).s)];
     Neighbours found;
-    for (int n = -kNeighbours; n <= kNeighbours; ++n)
+    int c = column - (kNeighbours + 1) * stride_;
+    for (const int off : rows_off)
     {
-      const int c = column + n * stride_;
-      const int r = row + static_cast<int>(std::lround(n * stride_ * rows_per_column));
-      if (n == 0 || c < 0 || c >= grid_.cells || r < 0 || r >= grid_.rows || of_face_[grid_.at(r, c)] == 0)
+      c += stride_;
+      const int r = row + off;
+      if (c == column || c < 0 || c >= grid_.cells || r < 0 || r >= grid_.rows || of_face_[grid_.at(r, c)] == 0)
         continue;
       found.height[found.count++] = static_cast<double>(result_.height[grid_.at(r, c)]);
     }
     return found;
   }
 
+  void lookAcross()
+  {
+    rows_off_.resize(surface_.size());
+    for (std::size_t k = 0; k < surface_.size(); ++k)
+    {
+      const double rows_per_column = std::tan(surface_.yaw(k)) * grid_.spacing / grid_.pitch;
+      int columns = -kNeighbours * stride_;
+      for (int& off : rows_off_[k])
+      {
+        off = static_cast<int>(std::lround(columns * rows_per_column));
+        columns += stride_;
+      }
+    }
+  }
+
   void holdAgainstNeighbours()
   {
+    lookAcross();
     std::vector<double> sampled;
     for (std::size_t i = 0; i < grid_.z.size(); i += kSampled)
     {
@@ -162,6 +179,8 @@ private:
   std::vector<std::uint8_t> of_face_;  ///< points that tell what ripples do
   StrayExcess result_;
   int stride_ = 1;
+  /// Of each section, by how many rows a neighbour across the weld lies off the point's own row.
+  std::vector<std::array<int, 2 * kNeighbours + 1>> rows_off_;
 };
 }  // namespace
 

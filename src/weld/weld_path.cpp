@@ -205,5 +205,27 @@ PathPlace WeldPath::locate(double x, double y, double near_s) const
   }
   return place;
 }
+
+void WeldPath::locate(double near_s, Together& points) const
+{
+  const Frame& frame = frames_[indexOf(near_s)];
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < kTogether; ++i)
+  {
+    const double along = frame.cosine * (points.y[i] - frame.y) - frame.sine * (points.x[i] - frame.x);
+    const double across = frame.cosine * (points.x[i] - frame.x) + frame.sine * (points.y[i] - frame.y);
+    const double d = along / std::max(0.2, 1.0 + across * frame.turn);
+    points.s[i] = frame.s + d;
+    points.q[i] = across + 0.5 * d * d * frame.turn;
+    farthest = std::max(farthest, std::abs(d));
+  }
+  if (farthest < 0.75 * kStep)
+    return;
+  for (std::size_t i = 0; i < kTogether; ++i)
+  {
+    const PathPlace place = locate(points.x[i], points.y[i], near_s);
+    points.q[i] = place.q, points.s[i] = place.s;
+  }
+}
 }  // namespace weld
 }  // namespace weld_profiler

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,6 +46,15 @@ public:
   /// Exact to the second order between the curve's points, which are 0.25 mm apart.
   /// @param near_s  a guess; the nearer the faster.
   PathPlace locate(double x, double y, double near_s) const;
+
+  /// Neighbouring points of a row, as many as are located in step.
+  static constexpr std::size_t kTogether = 8;
+  struct Together
+  {
+    std::array<double, kTogether> x, y;  ///< where they are [m]
+    std::array<double, kTogether> q, s;  ///< their places, filled [m]
+  };
+  void locate(double near_s, Together& points) const;
 
   double length() const { return length_; }  ///< from the bead's first end to its last
 
