@@ -13,6 +13,7 @@ namespace
 {
 constexpr double kBridge = 3.2;      // rows that may lie between two points interpolated between
 constexpr double kAlone = 0.6;       // rows that one point alone may be off the plane
+constexpr double kOneSided = 2.0;    // of a ripple the slope times this distance, over what it bends over a pitch
 constexpr std::size_t kGuessed = 8;  // points that are looked for from one place
 }  // namespace
 
@@ -64,6 +65,8 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
     field->clear();
     field->reserve(static_cast<std::size_t>(grid_.cells));
   }
+  profile.between.clear();
+  profile.between.reserve(static_cast<std::size_t>(grid_.cells));
   const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
   const int reach = 3;
   int row = middle;  // where the last column crossed the plane
@@ -96,18 +99,20 @@ void SectionSampler::add(double s, int column, int below, int above, SectionProf
   const double before = below < 0 ? kNaN : s - place(grid_.at(below, column)).s;
   const double after = above < 0 ? kNaN : place(grid_.at(above, column)).s - s;
   double share = kNaN;  // of the point above
+  double between = before * after;
   if (before + after <= kBridge * profile.row_pitch)
     share = before / (before + after);
   else if (before <= kAlone * profile.row_pitch)
-    share = 0.0;
+    share = 0.0, between = kOneSided * before * profile.row_pitch;
   else if (after <= kAlone * profile.row_pitch)
-    share = 1.0;
+    share = 1.0, between = kOneSided * after * profile.row_pitch;
   else
     return;
   const std::size_t a = grid_.at(share < 1.0 ? below : above, column);
   const std::size_t b = grid_.at(share > 0.0 ? above : below, column);
   profile.q.push_back((1.0 - share) * place(a).q + share * place(b).q);
   profile.z.push_back((1.0 - share) * static_cast<double>(grid_.z[a]) + share * static_cast<double>(grid_.z[b]));
+  profile.between.push_back(static_cast<float>(between));
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -19,6 +19,9 @@ struct SectionProfile
   int scan_row = 0;          ///< nearest row of the scan
   double row_pitch = 0.0;    ///< distance of rows along the path here [m]
   std::vector<double> q, z;  ///< [m]
+  /// Of each point, distances to the rows it is interpolated between, multiplied; empty = a row's own points [m^2].
+  std::vector<float> between;
+  double row_bend = 0.0;  ///< of the face: heights err by this times `between` (see rowBends) [1/m]
 
   std::size_t size() const { return q.size(); }
 };
@@ -31,6 +34,8 @@ class SectionSampler
 public:
   /// @param grid  must outlive the sampler.
   SectionSampler(const ScanGrid& grid, const WeldPath& path);
+
+  const ScanGrid& grid() const { return grid_; }
 
   PathPlace place(std::size_t point) const
   {
