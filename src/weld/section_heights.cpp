@@ -44,15 +44,19 @@ struct Moments
 };
 
 /// What a parabola through points [begin, end) may err by for the ripples between their rows, which move all of them
-/// alike [m].
-double betweenRows(const SectionProfile& profile, std::size_t begin, std::size_t end, double row_bend)
+/// alike.
+void addBetweenRows(const SectionProfile& profile, std::size_t begin, std::size_t end, double row_bend,
+                    HeightNode& node)
 {
   if (!(row_bend > 0.0) || profile.between.empty())
-    return 0.0;
+    return;
   double sum = 0.0;
   for (std::size_t i = begin; i < end; ++i)
-    sum += static_cast<double>(profile.between[i]);
-  return row_bend * sum / static_cast<double>(end - begin);
+  {
+    sum += std::abs(static_cast<double>(profile.between[i]));
+    node.lone = node.lone || profile.between[i] < 0.0F;
+  }
+  node.between = row_bend * sum / static_cast<double>(end - begin);
 }
 
 /// Parabola through points [begin, end) about q; false where they do not determine one.
@@ -149,7 +153,7 @@ std::vector<HeightNode> localHeights(const SectionProfile& profile, const Height
       continue;
     HeightNode node;
     node.q = q;
-    node.between = betweenRows(profile, begin, end, span.row_bend);
+    addBetweenRows(profile, begin, end, span.row_bend, node);
     if (fitNode(profile, begin, end, span.energy, node))
       nodes.push_back(node);
   }

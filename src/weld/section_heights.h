@@ -17,6 +17,7 @@ struct HeightNode
   double sigma = 0.0;    ///< of z [m]
   double bend = 0.0;     ///< second derivative [1/m]
   double between = 0.0;  ///< part of sigma: what ripples between the rows may lift or lower all around it [m]
+  bool lone = false;     ///< told by points of one row that lies off the section's plane
 };
 
 /// What local fits are made over.

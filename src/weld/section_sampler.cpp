@@ -103,9 +103,9 @@ void SectionSampler::add(double s, int column, int below, int above, SectionProf
   if (before + after <= kBridge * profile.row_pitch)
     share = before / (before + after);
   else if (before <= kAlone * profile.row_pitch)
-    share = 0.0, between = kOneSided * before * profile.row_pitch;
+    share = 0.0, between = -kOneSided * before * profile.row_pitch;
   else if (after <= kAlone * profile.row_pitch)
-    share = 1.0, between = kOneSided * after * profile.row_pitch;
+    share = 1.0, between = -kOneSided * after * profile.row_pitch;
   else
     return;
   const std::size_t a = grid_.at(share < 1.0 ? below : above, column);

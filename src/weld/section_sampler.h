@@ -19,7 +19,8 @@ struct SectionProfile
   int scan_row = 0;          ///< nearest row of the scan
   double row_pitch = 0.0;    ///< distance of rows along the path here [m]
   std::vector<double> q, z;  ///< [m]
-  /// Of each point, distances to the rows it is interpolated between, multiplied; empty = a row's own points [m^2].
+  /// Of each point, distances to the rows it is interpolated between, multiplied; < 0 where it is of one row alone that
+  /// lies off the plane; empty = a row's own points [m^2].
   std::vector<float> between;
   double row_bend = 0.0;  ///< of the face: heights err by this times `between` (see rowBends) [1/m]
 

@@ -38,13 +38,16 @@ SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const Par
   return point;
 }
 
-/// Nodes clear of both toes, where the kinks' blur lifts or lowers the face.
-std::vector<HeightNode> clearOfToes(const std::vector<HeightNode>& nodes, const SectionShape& shape)
+/// Nodes clear of both toes, where the kinks' blur lifts or lowers the face. Where rows are missing, without those that
+/// the last row before them tells alone: how the face goes on is not theirs to say.
+std::vector<HeightNode> clearNodes(const std::vector<HeightNode>& nodes, double step, const SectionShape& shape)
 {
+  const auto apart = [step](const HeightNode& a, const HeightNode& b) { return b.q - a.q > 1.5 * step; };
+  const bool broken = std::adjacent_find(nodes.begin(), nodes.end(), apart) != nodes.end();
   std::vector<HeightNode> clear;
   for (const HeightNode& node : nodes)
   {
-    if (node.q - shape.toe_left.q > kBlurredRim && shape.toe_right.q - node.q > kBlurredRim)
+    if (node.q - shape.toe_left.q > kBlurredRim && shape.toe_right.q - node.q > kBlurredRim && !(broken && node.lone))
       clear.push_back(node);
   }
   return clear;
@@ -65,7 +68,7 @@ std::vector<HeightNode> withToes(std::vector<HeightNode> nodes, const SectionSha
 void fillHeights(const std::vector<HeightNode>& all, double step, const SectionShape& shape, WeldSection& section)
 {
   const Line chord = shape.chord();
-  const std::vector<HeightNode> nodes = clearOfToes(all, shape);
+  const std::vector<HeightNode> nodes = clearNodes(all, step, shape);
   const double middle = 0.5 * (shape.toe_left.q + shape.toe_right.q);
   if (!nodes.empty() && nodes.front().q - shape.toe_left.q < kUnseenRim &&
       shape.toe_right.q - nodes.back().q < kUnseenRim)
@@ -126,7 +129,7 @@ Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, doub
     if (q > last_q && q > from + blur && q < to - blur)
     {
       add(q, profile.z[i] - chord.at(q));
-      between += profile.between.empty() ? 0.0 : static_cast<double>(profile.between[i]);
+      between += profile.between.empty() ? 0.0 : std::abs(static_cast<double>(profile.between[i]));
       ++measured;
     }
   }
