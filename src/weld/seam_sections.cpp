@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "along_weld.h"
+#include "row_bends.h"
 #include "statistics.h"
 #include "toe_course.h"
 
@@ -61,6 +62,12 @@ void SeamSections::measure(const std::vector<double>& places, const std::vector<
     (side == Side::Left ? mapped_left_ : mapped_right_) = continueAlong(places_, smooth, kToe).value;
     bridgeToes(side);
   }
+  std::vector<double> crests;
+  for (const SectionShape& shape : shapes_)
+    crests.push_back(shape.whole() ? 0.5 * (shape.toe_left.q + shape.toe_right.q) : kNaN);
+  const std::vector<double> bends = rowBends(sampler_, masked, places_, crests);
+  for (std::size_t k = 0; k < size(); ++k)
+    profiles_[k].row_bend = bends[k];
 }
 
 void SeamSections::fitParents(Side side)

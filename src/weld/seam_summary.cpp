@@ -24,6 +24,7 @@ bool rises(const Quantity& height)
 void fillRipples(const SeamSections& sections, WeldResult& result)
 {
   std::vector<double> heights, sigmas;
+  double between = 0.0;
   for (std::size_t k = 0; k < sections.size(); ++k)
   {
     heights.push_back(kNaN);
@@ -35,15 +36,21 @@ void fillRipples(const SeamSections& sections, WeldResult& result)
     span.to = span.from + 2.0 * span.half_window;
     span.step = span.half_window;
     span.energy = shape.energy();
+    span.row_bend = sections.profile(k).row_bend;
     const std::vector<HeightNode> nodes = localHeights(sections.profile(k), span);
     if (nodes.size() != 3)
       continue;
     heights.back() = shape.chord().above(nodes[1].q, nodes[1].z);
-    sigmas.push_back(nodes[1].sigma);
+    sigmas.push_back(std::sqrt(std::max(0.0, square(nodes[1].sigma) - square(nodes[1].between))));
+    between += nodes[1].between;
   }
   const Ripples ripples = findRipples(sections.places(), heights, median(sigmas));
   result.ripple_pitch = ripples.pitch;
   result.ripple_height = ripples.height;
+  // lines between rows cut crests and troughs off; those of a sine are sqrt(2) its quadratic mean
+  if (!sigmas.empty())
+    result.ripple_height.sigma =
+        std::hypot(result.ripple_height.sigma, 2.0 * std::sqrt(2.0) * between / static_cast<double>(sigmas.size()));
 }
 
 SectionStatistics statisticsOf(const char* name, const Quantity WeldSection::*field,

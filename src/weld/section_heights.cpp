@@ -43,6 +43,22 @@ struct Moments
   }
 };
 
+/// What a parabola through points [begin, end) may err by for the ripples between their rows, which move all of them
+/// alike.
+void addBetweenRows(const SectionProfile& profile, std::size_t begin, std::size_t end, double row_bend,
+                    HeightNode& node)
+{
+  if (!(row_bend > 0.0) || profile.between.empty())
+    return;
+  double sum = 0.0;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    sum += std::abs(static_cast<double>(profile.between[i]));
+    node.lone = node.lone || profile.between[i] < 0.0F;
+  }
+  node.between = row_bend * sum / static_cast<double>(end - begin);
+}
+
 /// Parabola through points [begin, end) about q; false where they do not determine one.
 bool fitNode(const SectionProfile& profile, std::size_t begin, std::size_t end, double energy, HeightNode& node)
 {
@@ -66,8 +82,8 @@ bool fitNode(const SectionProfile& profile, std::size_t begin, std::size_t end, 
   node.bend = 2.0 * c / square(kUnit);
   // what points scatter beyond their noise comes of ripples between rows that are missing: it has one sign on a crest
   const double squares = sums.zz - a * sums.z[0] - b * sums.z[1] - c * sums.z[2];
-  const double beyond = d[0] > kParabola ? std::max(0.0, squares / (d[0] - kParabola) - energy) : 0.0;
-  node.sigma = std::sqrt(energy * c00 / det + beyond);
+  const double beyond = d[0] > kParabola ? squares / (d[0] - kParabola) - energy : 0.0;
+  node.sigma = std::sqrt(energy * c00 / det + std::max(beyond, square(node.between)));
   return true;
 }
 
@@ -103,6 +119,16 @@ double mayRiseTo(const std::vector<HeightNode>& nodes, std::size_t i, const Line
   const bool inside = q > nodes[i].q && q < nodes[i + 1].q;
   return inside ? line.above(q, before.at(q)) : -INFINITY;
 }
+
+/// 1-sigma of the highest node's height: another, not much lower, may be the highest for what lies between its rows.
+double topSigma(const std::vector<HeightNode>& nodes, std::size_t best, const Line& line, double top)
+{
+  double higher = 0.0;
+  for (const HeightNode& node : nodes)
+    higher = std::max(higher, line.above(node.q, node.z) + node.between - top);
+  return std::sqrt(square(nodes[best].sigma) - square(nodes[best].between) +
+                   square(std::max(higher, nodes[best].between)));
+}
 }  // namespace
 
 std::vector<HeightNode> localHeights(const SectionProfile& profile, const HeightSpan& span)
@@ -127,13 +153,14 @@ std::vector<HeightNode> localHeights(const SectionProfile& profile, const Height
       continue;
     HeightNode node;
     node.q = q;
+    addBetweenRows(profile, begin, end, span.row_bend, node);
     if (fitNode(profile, begin, end, span.energy, node))
       nodes.push_back(node);
   }
   return nodes;
 }
 
-Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step)
+Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step, std::size_t rims)
 {
   std::size_t best = nodes.size();
   double top = -INFINITY;
@@ -147,7 +174,7 @@ Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, do
   }
   if (best == nodes.size())
     return Quantity();
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+  for (std::size_t i = rims; i + 1 + rims < nodes.size(); ++i)
   {
     if (nodes[i + 1].q - nodes[i].q < 1.5 * step)
       continue;
@@ -155,11 +182,12 @@ Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, do
     if (beside || mayRiseTo(nodes, i, line, step) > top + kHidden * nodes[best].sigma)
       return Quantity();
   }
+  const double sigma = topSigma(nodes, best, line, top);
   if (best > 0 && best + 1 < nodes.size())
   {
     const double behind = nodes[best].q - nodes[best - 1].q, ahead = nodes[best + 1].q - nodes[best].q;
     if (std::abs(ahead - behind) > 0.5 * std::min(ahead, behind))
-      return Quantity{ top, nodes[best].sigma };  // a break, whose other side tells no bend
+      return Quantity{ top, sigma };  // a break, whose other side tells no bend
     // between nodes the surface bends as the fit says
     const double before = line.above(nodes[best - 1].q, nodes[best - 1].z);
     const double after = line.above(nodes[best + 1].q, nodes[best + 1].z);
@@ -167,7 +195,7 @@ Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, do
     if (bend < 0.0)
       top -= square(after - before) / (8.0 * bend);
   }
-  return Quantity{ top, nodes[best].sigma };
+  return Quantity{ top, sigma };
 }
 
 double longestGap(const SectionProfile& profile, double from, double to)

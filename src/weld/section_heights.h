@@ -14,8 +14,10 @@ namespace weld
 struct HeightNode
 {
   double q = 0.0, z = 0.0;
-  double sigma = 0.0;  ///< of z [m]
-  double bend = 0.0;   ///< second derivative [1/m]
+  double sigma = 0.0;    ///< of z [m]
+  double bend = 0.0;     ///< second derivative [1/m]
+  double between = 0.0;  ///< part of sigma: what ripples between the rows may lift or lower all around it [m]
+  bool lone = false;     ///< told by points of one row that lies off the section's plane
 };
 
 /// What local fits are made over.
@@ -26,6 +28,7 @@ struct HeightSpan
   double step = 1e-4;           ///< between nodes [m]
   double max_gap = 5e-4;        ///< no node in a longer break [m]
   double energy = 0.0;          ///< variance of a point times the neighbours that share its error [m^2]
+  double row_bend = 0.0;        ///< of the face from row to row: what lies between rows errs by it [1/m]
 };
 
 /// Local fits from `from` to `to`. Places in a break, or with less than five points around, have no node.
@@ -34,7 +37,8 @@ std::vector<HeightNode> localHeights(const SectionProfile& profile, const Height
 /// Largest distance of the nodes above a line. Not measured where it lies beside a break, or where the face may rise
 /// higher in one: where the courses of both sides meet.
 /// @param step  between nodes where there is no break [m].
-Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step);
+/// @param rims  so many nodes at either end stand apart from the others without a break.
+Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step, std::size_t rims = 0);
 
 /// Longest break between neighbouring points in [from, to], its ends included [m].
 double longestGap(const SectionProfile& profile, double from, double to);

@@ -11,8 +11,9 @@ namespace weld
 {
 namespace
 {
-constexpr double kBridge = 3.2;  // rows that may lie between two points interpolated between
-constexpr double kAlone = 0.6;   // rows that one point alone may be off the plane
+constexpr double kBridge = 3.2;    // rows that may lie between two points interpolated between
+constexpr double kAlone = 0.6;     // rows that one point alone may be off the plane
+constexpr double kOneSided = 2.0;  // of a ripple the slope times this distance, over what it bends over a pitch
 }  // namespace
 
 SectionSampler::SectionSampler(const ScanGrid& grid, const WeldPath& path) : grid_(grid), path_(path)
@@ -67,6 +68,8 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
     field->clear();
     field->reserve(static_cast<std::size_t>(grid_.cells));
   }
+  profile.between.clear();
+  profile.between.reserve(static_cast<std::size_t>(grid_.cells));
   const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
   const int reach = 3;
   const auto cells = static_cast<std::size_t>(grid_.cells);
@@ -86,7 +89,7 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
       const double before = s - place(i).s, after = place(i + cells).s - s;
       if (before + after <= most)
       {
-        put(i, i + cells, before / (before + after), profile);
+        put(Mixture{ i, i + cells, before / (before + after), before * after }, profile);
         continue;
       }
     }
@@ -106,21 +109,27 @@ void SectionSampler::add(double s, int column, int below, int above, SectionProf
   const double before = below < 0 ? kNaN : s - place(grid_.at(below, column)).s;
   const double after = above < 0 ? kNaN : place(grid_.at(above, column)).s - s;
   double share = kNaN;  // of the point above
+  double between = before * after;
   if (before + after <= kBridge * profile.row_pitch)
     share = before / (before + after);
   else if (before <= kAlone * profile.row_pitch)
-    share = 0.0;
+    share = 0.0, between = -kOneSided * before * profile.row_pitch;
   else if (after <= kAlone * profile.row_pitch)
-    share = 1.0;
+    share = 1.0, between = -kOneSided * after * profile.row_pitch;
   else
     return;
-  put(grid_.at(share < 1.0 ? below : above, column), grid_.at(share > 0.0 ? above : below, column), share, profile);
+  put(Mixture{ grid_.at(share < 1.0 ? below : above, column), grid_.at(share > 0.0 ? above : below, column), share,
+               between },
+      profile);
 }
 
-void SectionSampler::put(std::size_t a, std::size_t b, double share, SectionProfile& profile) const
+void SectionSampler::put(const Mixture& of, SectionProfile& profile) const
 {
-  profile.q.push_back((1.0 - share) * place(a).q + share * place(b).q);
-  profile.z.push_back((1.0 - share) * static_cast<double>(grid_.z[a]) + share * static_cast<double>(grid_.z[b]));
+  const double rest = 1.0 - of.share;
+  profile.q.push_back(rest * place(of.below).q + of.share * place(of.above).q);
+  profile.z.push_back(rest * static_cast<double>(grid_.z[of.below]) +
+                      of.share * static_cast<double>(grid_.z[of.above]));
+  profile.between.push_back(static_cast<float>(of.between));
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -19,6 +19,10 @@ struct SectionProfile
   int scan_row = 0;          ///< nearest row of the scan
   double row_pitch = 0.0;    ///< distance of rows along the path here [m]
   std::vector<double> q, z;  ///< [m]
+  /// Of each point, distances to the rows it is interpolated between, multiplied; < 0 where it is of one row alone that
+  /// lies off the plane; empty = a row's own points [m^2].
+  std::vector<float> between;
+  double row_bend = 0.0;  ///< of the face: heights err by this times `between` (see rowBends) [1/m]
 
   std::size_t size() const { return q.size(); }
 };
@@ -31,6 +35,8 @@ class SectionSampler
 public:
   /// @param grid  must outlive the sampler.
   SectionSampler(const ScanGrid& grid, const WeldPath& path);
+
+  const ScanGrid& grid() const { return grid_; }
 
   PathPlace place(std::size_t point) const
   {
@@ -50,8 +56,14 @@ public:
 private:
   void placeRow(int row);
   void add(double s, int column, int below, int above, SectionProfile& profile) const;
-  /// The point between a and b; share = of b.
-  void put(std::size_t a, std::size_t b, double share, SectionProfile& profile) const;
+  /// A point that is made of two of the grid.
+  struct Mixture
+  {
+    std::size_t below, above;
+    double share;    ///< of the one above
+    double between;  ///< as in a profile
+  };
+  void put(const Mixture& of, SectionProfile& profile) const;
 
   const ScanGrid& grid_;
   const WeldPath& path_;

@@ -14,11 +14,13 @@ namespace weld
 {
 namespace
 {
-constexpr double kNodeWindow = 3.5e-4;     // of the face's local fits [m]
-constexpr double kBlurredRim = 3e-4;       // of the face at a toe [m]
-constexpr double kUnseenRim = 1.2e-3;      // of the face at a toe; with more unseen its top may be there [m]
-constexpr double kFaceEnergy = 1.6;        // of the face's points over that of the parents': it is curved and rippled
-constexpr double kFaceBias = 1e-6;         // what the face's points err alike [m]
+constexpr double kNodeWindow = 3.5e-4;  // of the face's local fits [m]
+constexpr double kBlurredRim = 3e-4;    // of the face at a toe [m]
+constexpr double kUnseenRim = 1.2e-3;   // of the face at a toe; with more unseen its top may be there [m]
+constexpr double kFaceEnergy = 1.6;     // of the face's points over that of the parents': it is curved and rippled
+constexpr double kFaceBias = 1e-6;      // what the face's points err alike [m]
+constexpr double kRippled = 1.0 / 3.0;  // of the face: ripples trail and end at its toes, where others are at the crest
+constexpr double kGuessed = 0.7;        // of a height's sigma, from where it is for want of rows
 constexpr double kLongestBridge = 1.6e-3;  // break in the face (spatter) that its area is bridged over [m]
 
 /// Error of a toe across a line: that of its parent's height, and what its shift along the parent makes.
@@ -37,13 +39,18 @@ SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const Par
   return point;
 }
 
-/// Nodes clear of both toes, where the kinks' blur lifts or lowers the face.
-std::vector<HeightNode> clearOfToes(const std::vector<HeightNode>& nodes, const SectionShape& shape)
+/// Nodes clear of both toes, where the kinks' blur lifts or lowers the face. Where rows are missing, without those that
+/// the last row before them tells alone and ripples move: how the face goes on is not theirs to say.
+std::vector<HeightNode> clearNodes(const std::vector<HeightNode>& nodes, double step, const SectionShape& shape)
 {
+  const auto apart = [step](const HeightNode& a, const HeightNode& b) { return b.q - a.q > 1.5 * step; };
+  const bool broken = std::adjacent_find(nodes.begin(), nodes.end(), apart) != nodes.end();
+  const auto guessed = [](const HeightNode& node) { return node.lone && node.between > kGuessed * node.sigma; };
   std::vector<HeightNode> clear;
   for (const HeightNode& node : nodes)
   {
-    if (node.q - shape.toe_left.q > kBlurredRim && shape.toe_right.q - node.q > kBlurredRim)
+    if (node.q - shape.toe_left.q > kBlurredRim && shape.toe_right.q - node.q > kBlurredRim &&
+        !(broken && guessed(node)))
       clear.push_back(node);
   }
   return clear;
@@ -64,7 +71,7 @@ std::vector<HeightNode> withToes(std::vector<HeightNode> nodes, const SectionSha
 void fillHeights(const std::vector<HeightNode>& all, double step, const SectionShape& shape, WeldSection& section)
 {
   const Line chord = shape.chord();
-  const std::vector<HeightNode> nodes = clearOfToes(all, shape);
+  const std::vector<HeightNode> nodes = clearNodes(all, step, shape);
   const double middle = 0.5 * (shape.toe_left.q + shape.toe_right.q);
   if (!nodes.empty() && nodes.front().q - shape.toe_left.q < kUnseenRim &&
       shape.toe_right.q - nodes.back().q < kUnseenRim)
@@ -77,7 +84,7 @@ void fillHeights(const std::vector<HeightNode>& all, double step, const SectionS
     const Line& parent = shape.parent(side).line;
     Quantity& height = side == Side::Left ? section.height_left : section.height_right;
     if (section.reinforcement.measured())
-      height = largestAbove(withToes(nodes, shape, parent), parent, 1.0);
+      height = largestAbove(withToes(nodes, shape, parent), parent, step, 1);
     height.sigma = std::hypot(height.sigma, shape.parent(side).sigmaAt(middle));
   }
   double deepest = 0.0, sigma = kNaN;
@@ -101,7 +108,8 @@ Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, doub
   if (gap > std::min(kLongestBridge, 0.3 * width))
     return Quantity();
   double area = 0.0, last_q = from, last_above = 0.0, bridged = 0.0;
-  int points = 0;
+  int points = 0, measured = 0;
+  double between = 0.0;
   const auto add = [&](double q, double above)
   {
     area += 0.5 * (above + last_above) * (q - last_q);
@@ -122,16 +130,21 @@ Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, doub
   {
     const double q = profile.q[i];
     if (q > last_q && q > from + blur && q < to - blur)
+    {
       add(q, profile.z[i] - chord.at(q));
+      between += profile.between.empty() ? 0.0 : std::abs(static_cast<double>(profile.between[i]));
+      ++measured;
+    }
   }
   for (const double share : { 0.75, 0.5, 0.25 })
     addArc(shape.toe_right, -1.0, share * blur);
   add(to, 0.0);
   const double bend = 8.0 * std::abs(area) / (width * width * width);  // of an arc of this area, roughly twice over
   const double noise = shape.energy() * width * width / std::max(1, points);
+  const double rippled = kRippled * width * profile.row_bend * between / std::max(1, measured);
   return Quantity{ area,
                    std::sqrt(noise + square(kFaceBias * width) + square(width * shape.chordSigma(0.5 * (from + to))) +
-                             square(bend * bridged / 12.0)) };
+                             square(bend * bridged / 12.0) + square(rippled)) };
 }
 
 void fillParents(const SectionShape& shape, double seam, WeldSection& section)
@@ -209,6 +222,7 @@ SectionValues sectionValues(const SectionProfile& profile, const SectionShape& s
   span.half_window = kNodeWindow;
   span.max_gap = params.max_gap;
   span.energy = kFaceEnergy * shape.energy();
+  span.row_bend = profile.row_bend;
   fillHeights(localHeights(profile, span), span.step, shape, section);
   section.area = faceArea(profile, shape, params.edge_blur);
   section.toe_angle_left =
