@@ -183,25 +183,6 @@ TEST_F(ScanBag, LeavesNothingOfAnEarlierWeldBesideAnotherScan)
   EXPECT_FALSE(std::filesystem::exists(path("scan/scan_2/weld.json")));
 }
 
-/// As soon as the report is all that is missing: scan_bag alone, or with its report program as a terminal does.
-TEST_F(ScanBag, InterruptedWhileTheReportIsDrawnSaysNoMore)
-{
-  for (const std::string& who : { std::string("$pid"), std::string("-$pid") })
-  {
-    write("interrupt.sh", "set -m\n" WELD_PROFILER_COMMANDS "/scan_bag " + kCalibration +
-                              "--out scan weld.bag 2> errors &\npid=$!\n"
-                              "until [ -e scan/passes.csv ] || ! kill -0 $pid; do sleep 0.02; done\n"
-                              "kill -INT -- " +
-                              who + "\nwait $pid\n");
-    const int status = std::system(("cd " + path("") + " && bash interrupt.sh > /dev/null 2>&1").c_str());
-    EXPECT_EQ(WEXITSTATUS(status), 130) << who << ": " << text("errors");
-    EXPECT_EQ(text("errors").find("Traceback"), std::string::npos) << text("errors");
-    EXPECT_NE(text("errors").find("interrupted"), std::string::npos) << text("errors");
-    EXPECT_TRUE(std::filesystem::exists(path("scan/weld.json"))) << "whole files stay";
-    std::filesystem::remove_all(path("scan"));
-  }
-}
-
 TEST_F(ScanBag, AWindowThatCutsEveryPointIsAPoorResult)
 {
   write("window.yaml", "triangulation: {min_z: 1.0, max_z: 2.0}\n");
