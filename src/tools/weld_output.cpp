@@ -42,14 +42,15 @@ std::string others(const WeldResult& result)
 }
 
 /// One line: kind, verdict, what a reader must know.
-std::string outcome(const WeldEvaluation& evaluation)
+/// @param whole  with a plate thickness: without it only what needs none is judged.
+std::string outcome(const WeldEvaluation& evaluation, bool whole)
 {
   const WeldResult& result = evaluation.result;
   if (!result.hasWeld())
     return "no weld: " + result.reason;
   std::string text = measured(result) + ", verdict " +
                      (evaluation.verdict.verdict.empty() ? std::string("none") : evaluation.verdict.verdict);
-  if (evaluation.verdict.verdict.empty() && !evaluation.verdict.notes.empty())
+  if ((evaluation.verdict.verdict.empty() || !whole) && !evaluation.verdict.notes.empty())
     text += " (" + evaluation.verdict.notes.front() + ")";
   if (evaluation.verdict.unverified)
     text += " (rests on limits that were not verified)";
@@ -98,7 +99,8 @@ void measureWeld(const Scan& scan, const WeldTask& task, const std::string& dire
   if (task.report)
     runInterruptible([&] { writeReport(directory); });
   throwIfInterrupted();
-  std::cerr << name << "in " << directory << ": " << outcome(evaluation) << "\n";
+  std::cerr << name << "in " << directory << ": "
+            << outcome(evaluation, task.evaluator.settings().judging.thickness.has_value()) << "\n";
 }
 }  // namespace
 
