@@ -1,8 +1,10 @@
 """Files in and out: errors of one line, JSON records whose types are checked, files that appear together or not at all."""
+import contextlib
 import errno
 import json
 import math
 import os
+import signal
 
 
 class ReportError(Exception):
@@ -112,8 +114,32 @@ class Record:
         return list(self.content)
 
 
+@contextlib.contextmanager
+def uninterrupted():
+    """SIGINT and SIGTERM within come as KeyboardInterrupt at the end. By handlers, not by a mask: a mask is this thread's
+    alone, and numpy has others that would take the signal."""
+    came = []
+    handlers = {}
+    for number in (signal.SIGINT, signal.SIGTERM):
+        if signal.getsignal(number) != signal.SIG_IGN:
+            handlers[number] = signal.signal(number, lambda *_: came.append(True))
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+    if came:
+        raise KeyboardInterrupt
+
+
 def write_together(contents):
-    """Writes {path: bytes}; files of an earlier run stay as they were if any cannot be written."""
+    """Writes {path: bytes}; files of an earlier run stay as they were if any cannot be written. An interrupt comes when all
+    are there."""
+    with uninterrupted():
+        _write_together(contents)
+
+
+def _write_together(contents):
     made = []
     try:
         for path, content in contents.items():

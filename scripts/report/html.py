@@ -14,8 +14,9 @@ p { margin: 1.5mm 0; } p.small { break-after: avoid; }
 header { display: flex; justify-content: space-between; align-items: flex-end; border-bottom: 1.5pt solid var(--ink);
   padding-bottom: 2mm; }
 header .what { color: var(--grey); text-align: right; font-size: 9pt; }
-.verdict { display: flex; align-items: center; border: 1.5pt solid var(--ink); margin: 4mm 0; break-inside: avoid; }
-.verdict .mark { font-size: 24pt; font-weight: bold; padding: 3mm 6mm; white-space: nowrap; border-right: 1.5pt solid var(--ink); }
+.verdict { display: flex; border: 1.5pt solid var(--ink); margin: 4mm 0; break-inside: avoid; }
+.verdict .mark { display: flex; align-items: center; font-size: 24pt; font-weight: bold; padding: 3mm 6mm; white-space: nowrap;
+  border-right: 1.5pt solid var(--ink); }
 .verdict .why { padding: 2mm 5mm; }
 .verdict.fail .mark { background: #1a1a1a; color: white; }
 .verdict.undecided .mark, .verdict.none .mark { background: #e4e4e4; }

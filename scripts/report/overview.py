@@ -47,8 +47,9 @@ def _head(figure, folder):
     write(figure, WIDTH - MARGIN, 0.45, "%s\n%s" % (kind, readable_date(record.text("date"))), fontsize=8, ha="right", color=style.GREY)
     rule(figure, 0.86, 1.5)
     dark = verdict.kind == "fail"
+    ground = style.INK if dark else {"undecided": style.OPEN, "none": style.OPEN}.get(verdict.kind, "white")
     write(figure, MARGIN + 0.12, 1.08, verdict.mark, fontsize=17, fontweight="bold", color="white" if dark else style.INK,
-           bbox={"boxstyle": "square,pad=0.3", "facecolor": style.INK if dark else "white", "edgecolor": style.INK})
+           bbox={"boxstyle": "square,pad=0.3", "facecolor": ground, "edgecolor": style.INK})
     lines = [part for sentence in verdict.why + verdict.missing for part in textwrap.wrap(sentence, 68)]
     last = ["This verdict %s." % UNVERIFIED] if verdict.unverified else []
     last += [verdict.beside(folder)] if folder.has_weld() and verdict.beside(folder) else []

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 PAGE_WIDTH = 7.0  # of a figure that fills an A4 page between its margins [in]
 INK, GREY, LIGHT, DIMENSION = "#1a1a1a", "#6e6e6e", "#c9c9c9", "#0b3c7d"
+OPEN = "#e4e4e4"  # behind a verdict that is none
 LEFT, RIGHT, ALARM = "#0b3c7d", "#c25a00", "#a3001b"
 LEVELS = ("B", "C", "D")
 LEVEL_LINES = {"B": (0, (6, 2)), "C": (0, (3, 2)), "D": (0, (1, 1.5))}

@@ -36,6 +36,21 @@ def _failed(folder, level):
     return ", ".join(names)
 
 
+def without_thickness(folder):
+    """No plate thickness was given: undercut, misalignment, ... are not judged, so that no level is met as a whole."""
+    return not math.isfinite(folder.record.record("verdict").number("thickness"))
+
+
+def _judged(folder):
+    """What was judged at all: `excess weld metal`."""
+    table, names = folder.verdict, []
+    for imperfection, decision in zip(table.texts("imperfection"), table.texts("decision")):
+        name = IMPERFECTIONS.get(imperfection, readable(imperfection))
+        if decision in ("pass", "fail", "undecided") and imperfection != "weld" and name not in names:
+            names.append(name)
+    return ", ".join(names)
+
+
 def _missing(folder):
     """What the measuring says it lacked; which limits were not verified is said elsewhere."""
     record = folder.record
@@ -68,10 +83,15 @@ class Verdict:
                 "undecided": self._open(folder, asked in LEVELS and decision in ("pass", "fail")),
                 "": "Nothing was measured that decides, or nothing is judged."}
         self.mark = {"fail": "FAILS", "undecided": "UNDECIDED", "": "NOT JUDGED"}.get(overall, "LEVEL " + overall)
-        self.why = [best.get(overall, "Level %s is the best level met." % overall)]
+        part = overall in LEVELS and without_thickness(folder)
+        met = "Level %s is the best level met" % overall
+        self.why = [best.get(overall, "%s by what was judged, which is only: %s." % (met, _judged(folder) or "not told")
+                             if part else met + ".")]
         if asked and decision in ("pass", "fail", "undecided"):
             self.mark = "LEVEL %s %s" % (asked, {"pass": "MET", "fail": "NOT MET", "undecided": "UNDECIDED"}[decision])
             self.kind = {"pass": "level"}.get(decision, decision)
+        if self.kind == "level" and part:
+            self.kind, self.mark = "none", "NOT FULLY JUDGED"
         if asked:
             because = _failed(folder, asked) if fails else ""
             self.why.insert(0, "Asked for: level %s%s." % (asked, ", which fails by " + because if because else ""))
@@ -95,7 +115,3 @@ class Verdict:
         others = len(folder.record.records("other_beads"))
         return "" if not others else "%s seen, not measured." % (
             "Another bead beside it was" if others == 1 else "%d other beads or pieces beside it were" % others)
-
-    def one_line(self):
-        """For a headline or a picture."""
-        return self.mark + (" (%s)" % UNVERIFIED if self.unverified else "")

@@ -29,8 +29,9 @@ std::string quoted(const std::string& word)
 /// @param more  further words for the shell.
 std::vector<std::string> runProgram(const char* program, const std::string& directory, const std::string& more)
 {
+  // exec: no shell between that takes an interrupt for itself
   const std::string command =
-      "/usr/bin/python3 " + quoted(resolveUrl(program)) + " " + more + quoted(directory) + " 2>&1";
+      "exec /usr/bin/python3 " + quoted(resolveUrl(program)) + " " + more + quoted(directory) + " 2>&1";
   std::FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr)
     throw InputError("cannot start the report program for " + directory + ", is python3 installed?");

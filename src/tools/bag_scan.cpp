@@ -8,6 +8,7 @@
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "tools/bag_topics.h"
 #include "tools/progress.h"
 #include "weld_profiler/core/errors.h"
 #include "weld_profiler/ros/messages.h"
@@ -17,61 +18,15 @@ namespace weld_profiler
 {
 namespace
 {
-const std::string kImageTopic = "image_raw";
 constexpr double kTransformCache = 1e7;  // [s]: of a bag nothing is forgotten
-
-std::set<std::string> topicsOf(const rosbag::Bag& bag)
-{
-  std::set<std::string> topics;
-  rosbag::View view(bag);
-  for (const rosbag::ConnectionInfo* connection : view.getConnections())
-    topics.insert(connection->topic);
-  return topics;
-}
-
-std::string join(const std::set<std::string>& names)
-{
-  std::string list;
-  for (const std::string& name : names)
-    list += (list.empty() ? "" : ", ") + name;
-  return list.empty() ? "nothing" : list;
-}
-
-/// The namespace whose image_raw is scanned, with its slashes: "/profiler/".
-std::string chooseNamespace(const BagScanParams& params, const std::set<std::string>& topics)
-{
-  std::set<std::string> found;
-  for (const std::string& topic : topics)
-  {
-    const std::size_t at = topic.rfind('/') + 1;
-    if (topic.substr(at) == kImageTopic)
-      found.insert(topic.substr(0, at));
-  }
-  if (params.name_space.empty())
-  {
-    if (found.empty())
-      throw InputError(params.bag + ": has no topic image_raw (it holds " + join(topics) + "), record the profiler's");
-    if (found.size() > 1)
-      throw InputError(params.bag + ": image_raw is there in " + join(found) + ", choose one with --namespace");
-    return *found.begin();
-  }
-  std::string wanted = params.name_space.front() == '/' ? params.name_space : "/" + params.name_space;
-  if (wanted.back() != '/')
-    wanted += '/';
-  if (found.count(wanted) == 0)
-    throw InputError(params.bag + ": has no topic " + wanted + kImageTopic + ", --namespace can be " + join(found));
-  return wanted;
-}
 
 /// The bag's messages through the chain, one after the other.
 class BagReader
 {
 public:
-  BagReader(const BagScanParams& params, const std::string& name_space, const std::string& joint_topic)
+  BagReader(const BagScanParams& params, const BagTopics& topics)
     : params_(params),
-      image_topic_(name_space + kImageTopic),
-      info_topic_(name_space + "camera_info"),
-      joint_topic_(joint_topic),
+      topics_(topics),
       transforms_(ros::Duration(kTransformCache)),
       stage_(params.stripe),
       chain_(params.chain, params.calibration, transforms_, sinks())
@@ -81,24 +36,24 @@ public:
   void take(const rosbag::MessageInstance& message)
   {
     const std::string& topic = message.getTopic();
-    if (topic == image_topic_)
+    if (topic == topics_.image)
       takeImage(*instantiate<sensor_msgs::Image>(message));
-    else if (topic == info_topic_)
+    else if (topic == topics_.info)
       takeInfo(*instantiate<sensor_msgs::CameraInfo>(message));
-    else if (topic == joint_topic_)
+    else if (topic == topics_.joints)
       takeJoints(*instantiate<sensor_msgs::JointState>(message));
     else
       takeTransforms(*instantiate<tf2_msgs::TFMessage>(message), topic == "/tf_static");
   }
 
-  BagScanResult finish(const std::string& name_space)
+  BagScanResult finish()
   {
     chain_.builder().finish();
-    result_.name_space = name_space;
+    result_.name_space = topics_.name_space;
     result_.balance = chain_.builder().balance();
     if (result_.balance.rows == 0 && params_.chain.motion == "stage" && !joint_found_)
-      throw InputError(params_.bag + ": joint '" + params_.calibration.stage.joint + "' is not in " + joint_topic_ +
-                       " (there are: " + join(joints_) + "), set stage/joint in the calibration file");
+      throw InputError(params_.bag + ": joint '" + params_.calibration.stage.joint + "' is not in " + topics_.joints +
+                       " (there are: " + listOf(joints_) + "), set stage/joint in the calibration file");
     return std::move(result_);
   }
 
@@ -171,9 +126,7 @@ private:
   }
 
   const BagScanParams& params_;
-  const std::string image_topic_;
-  const std::string info_topic_;
-  const std::string joint_topic_;
+  const BagTopics& topics_;
   BagScanResult result_;
   tf2::BufferCore transforms_;
   StripeStage stage_;
@@ -185,21 +138,6 @@ private:
   std::string problem_;
   std::set<std::string> joints_;
 };
-
-/// The camera's own joint_states, or the robot's.
-std::string chooseJointTopic(const BagScanParams& params, const std::set<std::string>& topics,
-                             const std::string& name_space)
-{
-  for (const std::string& topic : { name_space + "joint_states", std::string("/joint_states") })
-  {
-    if (topics.count(topic) != 0)
-      return topic;
-  }
-  if (params.chain.motion == "stage")
-    throw InputError(params.bag + ": has no topic " + name_space + "joint_states (it holds " + join(topics) +
-                     "), record the encoder, or use motion: tf");
-  return name_space + "joint_states";
-}
 
 void open(rosbag::Bag& bag, const std::string& path)
 {
@@ -229,18 +167,14 @@ BagScanResult scanBag(const BagScanParams& params)
 {
   rosbag::Bag bag;
   open(bag, params.bag);
-  const std::set<std::string> topics = topicsOf(bag);
-  const std::string name_space = chooseNamespace(params, topics);
-  const std::string joint_topic = chooseJointTopic(params, topics, name_space);
-  BagReader reader(params, name_space, joint_topic);
-  const std::vector<std::string> wanted = { name_space + kImageTopic, name_space + "camera_info", joint_topic, "/tf",
-                                            "/tf_static" };
+  const BagTopics topics = chooseTopics(bag, params);
+  BagReader reader(params, topics);
   try
   {
     // an image may lie before its camera_info in the bag
-    if (const auto info = firstInfo(bag, name_space + "camera_info"))
+    if (const auto info = firstInfo(bag, topics.info))
       reader.takeInfo(*info);
-    rosbag::View view(bag, rosbag::TopicQuery(wanted));
+    rosbag::View view(bag, rosbag::TopicQuery(topics.all()));
     Progress progress("scanning", view.size());
     std::set<std::string> said;
     for (const rosbag::MessageInstance& message : view)
@@ -256,6 +190,6 @@ BagScanResult scanBag(const BagScanParams& params)
   {
     throw InputError(params.bag + ": the bag is damaged (" + error.what() + "), run `rosbag reindex` on it");
   }
-  return reader.finish(name_space);
+  return reader.finish();
 }
 }  // namespace weld_profiler

@@ -131,6 +131,32 @@ std::size_t extractOne(const StripeStage& stage, const Options& options, const s
   return stripe.size();
 }
 
+/// What became of the images so far.
+struct Extracted
+{
+  std::size_t images = 0;  ///< tried
+  std::size_t centres = 0;
+  bool all_read = true;
+};
+
+void extractNext(const StripeStage& stage, const Options& options, Progress& progress, Extracted& so_far)
+{
+  const std::string& image = options.images[so_far.images++];
+  try
+  {
+    const std::size_t found = extractOne(stage, options, image);
+    so_far.centres += found;
+    if (found == 0)
+      progress.say("extract_stripe: " + image + ": no stripe found; its csv holds the header only");
+  }
+  catch (const Error& error)
+  {
+    so_far.all_read = false;
+    progress.say(std::string("extract_stripe: ") + error.what());
+  }
+  progress.step();
+}
+
 int extract(const Options& options)
 {
   const StripeStage stage(stripeParams(options));
@@ -138,26 +164,20 @@ int extract(const Options& options)
   refuseEqualStems(options.images);
   refuseOverwriting(options);
   makeOutputDirectory(options.out);
-  bool all_read = true;
-  std::size_t centres = 0;
-  Progress progress("extracting", options.images.size());
-  for (const std::string& image : options.images)
+  const std::size_t count = options.images.size();
+  Extracted so_far;
+  try
   {
-    try
-    {
-      const std::size_t found = extractOne(stage, options, image);
-      centres += found;
-      if (found == 0)
-        progress.say("extract_stripe: " + image + ": no stripe found; its csv holds the header only");
-    }
-    catch (const Error& error)
-    {
-      all_read = false;
-      progress.say(std::string("extract_stripe: ") + error.what());
-    }
-    progress.step();
+    Progress progress("extracting", count);
+    while (so_far.images < count)
+      extractNext(stage, options, progress, so_far);
   }
-  return !all_read ? kBadInput : centres == 0 ? kPoorResult : kGood;
+  catch (const Interrupted&)
+  {
+    throw Interrupted("the files of the first " + std::to_string(so_far.images) + " of " + std::to_string(count) +
+                      " images stay in " + options.out + ", whole");
+  }
+  return !so_far.all_read ? kBadInput : so_far.centres == 0 ? kPoorResult : kGood;
 }
 }  // namespace
 }  // namespace weld_profiler

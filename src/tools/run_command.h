@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 #include "tools/command_line.h"
 
@@ -21,7 +22,8 @@ enum ExitStatus
 class Interrupted : public std::runtime_error
 {
 public:
-  Interrupted() : std::runtime_error("interrupted, nothing was written") {}
+  /// @param left  what the command leaves: the user is told.
+  explicit Interrupted(const std::string& left = "nothing was written") : std::runtime_error("interrupted, " + left) {}
 };
 
 /// @throws Interrupted once SIGINT or SIGTERM came in.

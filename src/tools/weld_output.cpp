@@ -13,6 +13,8 @@ namespace weld_profiler
 {
 namespace
 {
+namespace fs = std::filesystem;
+
 constexpr double kMillimetres = 1e3;
 
 /// `bead_on_plate, 144 of 150 sections measured`
@@ -40,14 +42,15 @@ std::string others(const WeldResult& result)
 }
 
 /// One line: kind, verdict, what a reader must know.
-std::string outcome(const WeldEvaluation& evaluation)
+/// @param whole  with a plate thickness: without it only what needs none is judged.
+std::string outcome(const WeldEvaluation& evaluation, bool whole)
 {
   const WeldResult& result = evaluation.result;
   if (!result.hasWeld())
     return "no weld: " + result.reason;
   std::string text = measured(result) + ", verdict " +
                      (evaluation.verdict.verdict.empty() ? std::string("none") : evaluation.verdict.verdict);
-  if (evaluation.verdict.verdict.empty() && !evaluation.verdict.notes.empty())
+  if ((evaluation.verdict.verdict.empty() || !whole) && !evaluation.verdict.notes.empty())
     text += " (" + evaluation.verdict.notes.front() + ")";
   if (evaluation.verdict.unverified)
     text += " (rests on limits that were not verified)";
@@ -57,27 +60,64 @@ std::string outcome(const WeldEvaluation& evaluation)
     text += "; grinding: " + evaluation.plan.reason;
   return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
 }
+
+fs::path folderOf(const WeldTask& task, std::size_t scan)
+{
+  return scan == 0 ? fs::path(task.directory) : fs::path(task.directory) / ("scan_" + std::to_string(scan + 1));
+}
+
+/// What an interrupted run leaves and lacks, read off the disk: what an earlier run left there is gone by now.
+std::string leftBehind(std::size_t scans, const WeldTask& task)
+{
+  std::string missing, remedy;
+  for (std::size_t i = 0; i < scans; ++i)
+  {
+    const fs::path folder = folderOf(task, i);
+    const bool measured = fs::exists(folder / "weld.json");
+    if (measured && (!task.report || fs::exists(folder / "report.png")))
+      continue;
+    missing += (missing.empty() ? "; missing: " : ", ") +
+               std::string(measured      ? "the report of "
+                           : task.report ? "the weld's files and report of "
+                                         : "the weld's files of ") +
+               folder.string();
+    if (!measured)
+      remedy = " (run the command again)";
+    else if (remedy.empty())
+      remedy = " (weld_report.py " + folder.string() + " draws it)";
+  }
+  return "what is in " + task.directory + " stays and is whole" + (missing.empty() ? ", nothing is missing" : missing) +
+         remedy;
+}
+
+void measureWeld(const Scan& scan, const WeldTask& task, const std::string& directory, const std::string& name)
+{
+  throwIfInterrupted();
+  const WeldEvaluation evaluation = task.evaluator.evaluate(scan);
+  writeWeldFiles(scan, evaluation, task.evaluator.settings(), task.info, directory);
+  throwIfInterrupted();
+  if (task.report)
+    runInterruptible([&] { writeReport(directory); });
+  throwIfInterrupted();
+  std::cerr << name << "in " << directory << ": "
+            << outcome(evaluation, task.evaluator.settings().judging.thickness.has_value()) << "\n";
+}
 }  // namespace
 
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task)
 {
-  for (std::size_t i = 0; i < scans.size(); ++i)
+  try
   {
-    std::string directory = task.directory;
-    if (i > 0)
+    for (std::size_t i = 0; i < scans.size(); ++i)
     {
-      directory = (std::filesystem::path(directory) / ("scan_" + std::to_string(i + 1))).string();
+      const std::string directory = folderOf(task, i).string();
       makeOutputDirectory(directory);
+      measureWeld(scans[i], task, directory, "weld " + (scans.size() > 1 ? std::to_string(i + 1) + " " : ""));
     }
-    throwIfInterrupted();
-    const WeldEvaluation evaluation = task.evaluator.evaluate(scans[i]);
-    writeWeldFiles(scans[i], evaluation, task.evaluator.settings(), task.info, directory);
-    throwIfInterrupted();
-    if (task.report)
-      runInterruptible([&] { writeReport(directory); });
-    throwIfInterrupted();
-    std::cerr << "weld " << (scans.size() > 1 ? std::to_string(i + 1) + " " : "") << "in " << directory << ": "
-              << outcome(evaluation) << "\n";
+  }
+  catch (const Interrupted&)
+  {
+    throw Interrupted(leftBehind(scans.size(), task));
   }
 }
 }  // namespace weld_profiler

@@ -18,6 +18,7 @@ struct WeldTask
 };
 
 /// Measures scans, writes their files and says on standard error what each shows.
-/// @throws InputError naming path and cause; Interrupted, with whole files of what was done so far.
+/// @throws InputError naming path and cause; Interrupted, which says what of the scans' welds is missing: the files so
+/// far stay, whole.
 void measureWelds(const std::vector<Scan>& scans, const WeldTask& task);
 }  // namespace weld_profiler

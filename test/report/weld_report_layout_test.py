@@ -129,6 +129,32 @@ class Layout(WeldReportCase):
         self.change_verdict_rows(lambda row: row.update(decision="fail") if row["imperfection"] == "misalignment" else None)
         self.assertIn("Not even level D is met: linear misalignment.", self.picture_says())
 
+    def test_without_a_thickness_no_level_stands_large(self):
+        self.make()
+        self.edit(lambda record: record["verdict"].update(thickness=None))
+        self.change_verdict_rows(lambda row: row.update(decision="not_judged", limit_mm="", edition="")
+                                 if row["imperfection"] in ("undercut", "misalignment") else None)
+        alone = "Level C is the best level met by what was judged, which is only: excess weld metal."
+        for asked, decision in (("", "not_judged"), ("C", "pass")):
+            self.edit(lambda record: record["verdict"].update(asked=asked, asked_decision=decision))
+            page = self.page()
+            for said in (page.text, self.picture_says()):
+                self.assertIn("NOT FULLY JUDGED", said)
+                self.assertNotIn("LEVEL C", said)
+                self.assertIn(alone, said)
+            self.assertIn("level C by what was judged (%s)." % UNVERIFIED, page.text, "of a section")
+        self.edit(lambda record: record["verdict"].update(asked="B", asked_decision="fail"))
+        for said in (self.page().text, self.picture_says()):
+            self.assertIn("LEVEL B NOT MET", said, "one failure suffices")
+            self.assertIn(alone, said)
+
+    def test_with_a_thickness_the_level_stands_large(self):
+        self.make()
+        self.edit(lambda record: record["verdict"].update(asked="", asked_decision="not_judged"))
+        for said in (self.page().text, self.picture_says()):
+            self.assertIn("LEVEL C", said)
+            self.assertNotIn("JUDGED", said)
+
     def test_more_than_fits_the_picture_is_said_to_be_on_the_page(self):
         self.make()
         self.edit(lambda record: record.update(reason="; ".join("something is missing %d" % i for i in range(30))))
