@@ -127,7 +127,7 @@ void WeldAction::run(const ScanWeldGoal& goal)
   WeldOutcome outcome;
   if (!wait(outcome))
     return abort("the scan was not measured within " + std::to_string(static_cast<int>(kMeasuringTime)) + " s");
-  finish(goal, outcome);
+  finish(order, outcome);
 }
 
 /// Until the travel is done or the stage rests. @return false when somebody interrupts.
@@ -161,13 +161,13 @@ bool WeldAction::wait(WeldOutcome& outcome)
   return outcome_ != nullptr;
 }
 
-void WeldAction::finish(const ScanWeldGoal& goal, const WeldOutcome& outcome)
+void WeldAction::finish(const WeldOrder& order, const WeldOutcome& outcome)
 {
   ScanWeldResult result;
   result.summary = outcome.summary;
   result.files = outcome.files;
   const bool weld = outcome.summary.kind != name(WeldKind::None);
-  const bool level = goal.level.empty() || outcome.asked == Decision::Pass;
+  const bool level = order.settings.judging.level.empty() || outcome.asked == Decision::Pass;
   result.success = weld && level && outcome.trouble.empty();
   result.message = outcome.summary.kind + (outcome.summary.verdict.empty() ? "" : ", " + outcome.summary.verdict) +
                    (outcome.summary.unverified ? " (limits not verified)" : "") +

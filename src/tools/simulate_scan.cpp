@@ -154,7 +154,8 @@ int main(int argc, char** argv)
       "simulate_scan",
       "Scans a simulated weld and writes what camera and encoder would say: a bag with image_raw, camera_info\n"
       "and joint_states under /profiler (and /tf for a sensor that a robot carries). Beside it BAG.truth/ with\n"
-      "centres.csv, surface.ply, weld.csv, scene.yaml and calibration.yaml. The same scene gives the same bytes.");
+      "centres.csv, surface.ply, weld.csv, spots.csv, scene.yaml and calibration.yaml. The same scene gives the\n"
+      "same bytes.");
   weld_profiler::declare(command, options);
   return weld_profiler::runCommand(command, argc, argv, [&] { return weld_profiler::simulate(options); });
 }

@@ -170,6 +170,7 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
 {
   WeldChain chain("/weld_action");
   chain.manager.set("triangulation", "auto_start", false);
+  chain.manager.set("weld_measurement", "level", std::string("B"));
   const std::filesystem::path welds = chain.folder.file("welds");
   std::filesystem::create_directories(welds / "seam-12" / "scan_2");
   for (const char* name : { "scan.pcd", "scan.ply", "summary.json", "notes.txt", "scan_2/weld.json" })
@@ -180,7 +181,6 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
   ScanWeldGoal goal;
   goal.weld_id = "seam-12";
   goal.thickness = 0.008;
-  goal.level = "D";
   std::uint32_t profiles = 0;
   client.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
                   [&](const ScanWeldFeedbackConstPtr& feedback) { profiles = std::max(profiles, feedback->profiles); });
@@ -192,6 +192,8 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
   const ScanWeldResult& result = *client.getResult();
   EXPECT_EQ(result.summary.weld_id, "seam-12");
   EXPECT_EQ(result.summary.kind, "butt") << result.message;
+  EXPECT_NE(result.summary.verdict, "B") << result.message;
+  EXPECT_FALSE(result.success) << "the level that the nodelet's parameters ask for is not met";
   EXPECT_GE(profiles, 30U);
   ASSERT_GE(result.files.size(), 5U) << result.message;
   for (const std::string& file : result.files)

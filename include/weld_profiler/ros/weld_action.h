@@ -30,7 +30,7 @@ private:
   void call(const char* service, bool must);
   bool follow(const ScanWeldGoal& goal);
   bool wait(WeldOutcome& outcome);
-  void finish(const ScanWeldGoal& goal, const WeldOutcome& outcome);
+  void finish(const WeldOrder& order, const WeldOutcome& outcome);
   void abort(const std::string& message);
   bool interrupted();
 
