@@ -100,6 +100,20 @@ void fillHeights(const std::vector<HeightNode>& all, double step, const SectionS
     section.incomplete_fill = Quantity{ deepest, sigma };
 }
 
+/// What ripples between rows lift or lower a face by, mean over its width [m].
+double rippleBetweenRows(const SectionProfile& profile, double from, double to)
+{
+  double between = 0.0, points = 0.0;
+  for (std::size_t i = 0; i < profile.between.size(); ++i)
+  {
+    if (!(profile.q[i] > from && profile.q[i] < to))
+      continue;
+    between += std::abs(static_cast<double>(profile.between[i]));
+    points += 1.0;
+  }
+  return kRippled * profile.row_bend * between / std::max(1.0, points);
+}
+
 Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, double blur)
 {
   const Line chord = shape.chord();
@@ -108,8 +122,7 @@ Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, doub
   if (gap > std::min(kLongestBridge, 0.3 * width))
     return Quantity();
   double area = 0.0, last_q = from, last_above = 0.0, bridged = 0.0;
-  int points = 0, measured = 0;
-  double between = 0.0;
+  int points = 0;
   const auto add = [&](double q, double above)
   {
     area += 0.5 * (above + last_above) * (q - last_q);
@@ -130,18 +143,14 @@ Quantity faceArea(const SectionProfile& profile, const SectionShape& shape, doub
   {
     const double q = profile.q[i];
     if (q > last_q && q > from + blur && q < to - blur)
-    {
       add(q, profile.z[i] - chord.at(q));
-      between += profile.between.empty() ? 0.0 : std::abs(static_cast<double>(profile.between[i]));
-      ++measured;
-    }
   }
   for (const double share : { 0.75, 0.5, 0.25 })
     addArc(shape.toe_right, -1.0, share * blur);
   add(to, 0.0);
   const double bend = 8.0 * std::abs(area) / (width * width * width);  // of an arc of this area, roughly twice over
   const double noise = shape.energy() * width * width / std::max(1, points);
-  const double rippled = kRippled * width * profile.row_bend * between / std::max(1, measured);
+  const double rippled = width * rippleBetweenRows(profile, from + blur, to - blur);
   return Quantity{ area,
                    std::sqrt(noise + square(kFaceBias * width) + square(width * shape.chordSigma(0.5 * (from + to))) +
                              square(bend * bridged / 12.0) + square(rippled)) };
