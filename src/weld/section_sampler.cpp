@@ -53,55 +53,64 @@ void SectionSampler::placeRow(int row)
   }
 }
 
+int SectionSampler::nearestRow(double y) const
+{
+  const std::vector<double>& rows = grid_.row_y;
+  const auto after = static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), y) - rows.begin());
+  const bool before_is_nearer = after == rows.size() || (after > 0 && y - rows[after - 1] < rows[after] - y);
+  return static_cast<int>(after) - (before_is_nearer ? 1 : 0);
+}
+
 void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, SectionProfile& profile) const
 {
   profile.place = path_.at(s);
-  const auto nearest = std::lower_bound(grid_.row_y.begin(), grid_.row_y.end(), profile.place.y);
-  int middle = static_cast<int>(nearest - grid_.row_y.begin());
-  if (middle == grid_.rows || (middle > 0 && profile.place.y - grid_.row_y[static_cast<std::size_t>(middle) - 1] <
-                                                 grid_.row_y[static_cast<std::size_t>(middle)] - profile.place.y))
-    --middle;
-  profile.scan_row = grid_.scan_row[static_cast<std::size_t>(middle)];
+  int row = nearestRow(profile.place.y);  // where the last column crossed the plane
+  profile.scan_row = grid_.scan_row[static_cast<std::size_t>(row)];
   profile.row_pitch = grid_.pitch * std::cos(profile.place.yaw);
+  const auto cells = static_cast<std::size_t>(grid_.cells);
   for (std::vector<double>* field : { &profile.q, &profile.z })
   {
     field->clear();
-    field->reserve(static_cast<std::size_t>(grid_.cells));
+    field->reserve(cells);
   }
   profile.between.clear();
-  profile.between.reserve(static_cast<std::size_t>(grid_.cells));
+  profile.between.reserve(cells);
   const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
-  const int reach = 3;
-  const auto cells = static_cast<std::size_t>(grid_.cells);
   const double most = kBridge * profile.row_pitch;
-  int row = middle;  // where the last column crossed the plane
   for (int column = 0; column < grid_.cells; ++column)
   {
-    const auto along = [&](int r) { return static_cast<double>(places_[grid_.at(r, column)].s); };
     std::size_t i = grid_.at(row, column);
-    for (; row + 1 < grid_.rows && static_cast<double>(places_[i + cells].s) <= s; i += cells)
+    for (; row + 1 < grid_.rows && along(i + cells) <= s; i += cells)
       ++row;
-    for (; row > 0 && static_cast<double>(places_[i].s) > s; i -= cells)
+    for (; row > 0 && along(i) > s; i -= cells)
       --row;
     // mostly both are there
-    if (row + 1 < grid_.rows && static_cast<double>(places_[i].s) <= s && usable(i) && usable(i + cells))
+    if (row + 1 < grid_.rows && along(i) <= s && usable(i) && usable(i + cells))
     {
-      const double before = s - place(i).s, after = place(i + cells).s - s;
+      const double before = s - along(i), after = along(i + cells) - s;
       if (before + after <= most)
       {
         put(Mixture{ i, i + cells, before / (before + after), before * after }, profile);
         continue;
       }
     }
-    int below = -1, above = -1;
-    for (int r = std::min(grid_.rows - 1, row + 1); r >= std::max(0, row - reach) && below < 0; --r)
-      if (usable(grid_.at(r, column)) && along(r) <= s)
-        below = r;
-    for (int r = std::max(0, row - 1); r <= std::min(grid_.rows - 1, row + 1 + reach) && above < 0; ++r)
-      if (usable(grid_.at(r, column)) && along(r) > s)
-        above = r;
-    add(s, column, below, above, profile);
+    lookAround(Crossing{ s, row, column }, masked, profile);
   }
+}
+
+void SectionSampler::lookAround(const Crossing& at, const std::vector<std::uint8_t>& masked,
+                                SectionProfile& profile) const
+{
+  const int reach = 3;
+  const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
+  int below = -1, above = -1;
+  for (int r = std::min(grid_.rows - 1, at.row + 1); r >= std::max(0, at.row - reach) && below < 0; --r)
+    if (usable(grid_.at(r, at.column)) && along(grid_.at(r, at.column)) <= at.s)
+      below = r;
+  for (int r = std::max(0, at.row - 1); r <= std::min(grid_.rows - 1, at.row + 1 + reach) && above < 0; ++r)
+    if (usable(grid_.at(r, at.column)) && along(grid_.at(r, at.column)) > at.s)
+      above = r;
+  add(at.s, at.column, below, above, profile);
 }
 
 void SectionSampler::add(double s, int column, int below, int above, SectionProfile& profile) const

@@ -55,6 +55,16 @@ public:
 
 private:
   void placeRow(int row);
+  int nearestRow(double y) const;
+  double along(std::size_t point) const { return static_cast<double>(places_[point].s); }
+
+  /// Where a column crosses the plane at s: behind a row.
+  struct Crossing
+  {
+    double s;
+    int row, column;
+  };
+  void lookAround(const Crossing& at, const std::vector<std::uint8_t>& masked, SectionProfile& profile) const;
   void add(double s, int column, int below, int above, SectionProfile& profile) const;
   /// A point that is made of two of the grid.
   struct Mixture
