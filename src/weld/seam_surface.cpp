@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hollows.h"
 #include "known_bead.h"
 #include "statistics.h"
 #include "toe_sway.h"
@@ -32,8 +33,13 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   std::vector<float> rises = prepare();
   for (std::size_t k = 0; k < sections.size(); ++k)
     sampleSection(k, sections.profile(k), rises);
-  fillMedians(rises, kReach);
   findKnown(rises);
+  std::vector<float> clean = rises;
+  takeOut(clean);
+  if (hollow_.empty())
+    fillMedians(rises, kReach);
+  else
+    fillWithout(clean, rises);
 }
 
 SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sampler,
@@ -49,15 +55,29 @@ SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sam
     sampler.sample(sections.places()[k], without, profile);
     sampleSection(k, profile, clean);
   }
+  findKnown(clean);
+  takeOut(clean);
+  fillWithout(clean, rises);
+}
+
+void SeamSurface::takeOut(std::vector<float>& rises)
+{
+  const auto columns = static_cast<std::size_t>(bins_);
+  const auto last = static_cast<std::size_t>(kOutside + inside_);
+  hollow_ = takeOutHollows(SectionStack{ sections_.places(), rises, known_, columns, kOutside, last, kBin });
+}
+
+/// Medians of what is clean, else of all.
+void SeamSurface::fillWithout(const std::vector<float>& clean, const std::vector<float>& all)
+{
   fillMedians(clean, kReach);
   // between two spots something is left further off; where nothing is there was more than a spot
   const std::vector<float> near = std::move(medians_);
   fillMedians(clean, 2.0 * kReach);
   const std::vector<float> far = std::move(medians_);
-  fillMedians(rises, kReach);
+  fillMedians(all, kReach);
   for (std::size_t i = 0; i < near.size(); ++i)
     medians_[i] = std::isfinite(near[i]) ? near[i] : std::isfinite(far[i]) ? far[i] : medians_[i];
-  findKnown(clean);
 }
 
 /// The stack's measures, and room for its heights.
@@ -190,6 +210,12 @@ double SeamSurface::departure(std::size_t k, double q, double z) const
 {
   const double bin = binOf(k, q);
   return z - zones_.flush(k, q) - (bin >= 0.0 ? rise(k, bin) : 0.0);
+}
+
+bool SeamSurface::inHollow(std::size_t k, double q) const
+{
+  const double bin = hollow_.empty() ? -1.0 : binOf(k, q);
+  return bin >= 0.0 && hollow_[k * static_cast<std::size_t>(bins_) + static_cast<std::size_t>(std::lround(bin))] != 0;
 }
 
 /// Whether the bead's edge may lie here or not.
