@@ -36,18 +36,14 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   findKnown(rises);
   std::vector<float> clean = rises;
   takeOut(clean);
-  if (hollow_.empty())
-    fillMedians(rises, kReach);
-  else
-    fillWithout(clean, rises);
+  hollow_.empty() ? fillMedians(rises, kReach) : fillWithout(clean, rises);
 }
 
 SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sampler,
                          const std::vector<std::uint8_t>& without)
   : sections_(sections), zones_(sections)
 {
-  std::vector<float> rises = prepare();
-  std::vector<float> clean = rises;
+  std::vector<float> rises = prepare(), clean = rises;
   SectionProfile profile;
   for (std::size_t k = 0; k < sections.size(); ++k)
   {
@@ -62,8 +58,7 @@ SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sam
 
 void SeamSurface::takeOut(std::vector<float>& rises)
 {
-  const auto columns = static_cast<std::size_t>(bins_);
-  const auto last = static_cast<std::size_t>(kOutside + inside_);
+  const auto columns = static_cast<std::size_t>(bins_), last = static_cast<std::size_t>(kOutside + inside_);
   hollow_ = takeOutHollows(SectionStack{ sections_.places(), rises, known_, columns, kOutside, last, kBin });
 }
 
