@@ -161,9 +161,14 @@ private:
   {
     if (pits_.empty())
       return;
-    std::vector<std::uint8_t> face = found_.on_face;
+    std::vector<std::uint8_t> face = found_.on_face, ball(face.size(), 0);
     for (std::size_t i = 0; i < face.size(); ++i)
-      face[i] = face[i] != 0 && strays.kind[i] == Stray::None ? 1 : 0;
+    {
+      if (strays.kind[i] == Stray::Spatter)
+        maskAround(i, kRim, ball);
+    }
+    for (std::size_t i = 0; i < face.size(); ++i)
+      face[i] = face[i] != 0 && strays.kind[i] == Stray::None && ball[i] == 0 ? 1 : 0;
     for (const Found& pit : pits_)
     {
       const bool shallow = -pit.spot.height.value < kDeepest * pit.spot.diameter.value;
