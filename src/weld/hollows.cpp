@@ -68,14 +68,14 @@ private:
       if (before ? k < apart : k + apart >= stack_.places.size())
         break;
       const float at = height(before ? k - apart : k + apart, column);
-      if (std::isfinite(at))
-        seen[count++] = at;
+      if (!std::isfinite(at))
+        continue;
+      std::size_t place = count++;
+      for (; place > 0 && seen[place - 1] > at; --place)
+        seen[place] = seen[place - 1];
+      seen[place] = at;
     }
-    if (count < kFewest)
-      return std::numeric_limits<float>::infinity();
-    const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(seen.begin(), middle, seen.begin() + static_cast<std::ptrdiff_t>(count));
-    return *middle;
+    return count < kFewest ? std::numeric_limits<float>::infinity() : seen[count / 2];
   }
 
   /// How a section departs from what lies lower, before it or behind, less what all of it does, or most: of the rest
