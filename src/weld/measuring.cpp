@@ -107,8 +107,9 @@ void Measuring::measureFinally()
     blurred_.edge_blur = oblique;
   sections_ = std::make_unique<SeamSections>(*sampler_, *guess_, blurred_);
   sections_->measure(sectionPlaces(*path_, params_.section_step), strays_.masked);
-  for (WeldSpot& spot : strays_.spots)
-    spot.s = path_->locate(spot.x, spot.y, spot.s).s;
+  for (std::vector<WeldSpot>* spots : { &strays_.spots, &strays_.hollows })
+    for (WeldSpot& spot : *spots)
+      spot.s = path_->locate(spot.x, spot.y, spot.s).s;
 }
 
 /// False when the weld is of no kind.
@@ -240,6 +241,7 @@ WeldResult Measuring::operator()()
   summarise(*sections_, params_, result);
   fillResultMaps(result);
   result.spots = strays_.spots;
+  result.hollows = strays_.hollows;
   dropPoresBeyondEnds(result);
   sayWhatIsMissing(result);
   return result;

@@ -159,7 +159,8 @@ void dropPoresBeyondEnds(WeldResult& result)
     return spot.kind == WeldSpot::Kind::Pore &&
            (first == result.sections.end() || spot.s < first->s || spot.s > last->s);
   };
-  result.spots.erase(std::remove_if(result.spots.begin(), result.spots.end(), beyond), result.spots.end());
+  for (std::vector<WeldSpot>* spots : { &result.spots, &result.hollows })
+    spots->erase(std::remove_if(spots->begin(), spots->end(), beyond), spots->end());
 }
 
 void summarise(const SeamSections& sections, const WeldParams& params, WeldResult& result)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "column_medians.h"
+#include "hollows.h"
 #include "known_bead.h"
 #include "statistics.h"
 #include "toe_sway.h"
@@ -34,16 +35,20 @@ SeamSurface::SeamSurface(const SeamSections& sections) : sections_(sections), zo
   std::vector<float> rises = prepare();
   for (std::size_t k = 0; k < sections.size(); ++k)
     sampleSection(k, sections.profile(k), rises);
-  fillMedians(rises, kReach);
   findKnown(rises);
+  std::vector<float> clean = rises;
+  takeOut(clean);
+  if (hollow_.empty())
+    fillMedians(rises, kReach);
+  else
+    fillWithout(clean, rises);
 }
 
 SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sampler,
                          const std::vector<std::uint8_t>& without)
   : sections_(sections), zones_(sections)
 {
-  std::vector<float> rises = prepare();
-  std::vector<float> clean = rises;
+  std::vector<float> rises = prepare(), clean = rises;
   SectionProfile profile;
   for (std::size_t k = 0; k < sections.size(); ++k)
   {
@@ -51,15 +56,28 @@ SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sam
     sampler.sample(sections.places()[k], without, profile);
     sampleSection(k, profile, clean);
   }
+  findKnown(clean);
+  takeOut(clean);
+  fillWithout(clean, rises);
+}
+
+void SeamSurface::takeOut(std::vector<float>& rises)
+{
+  const auto columns = static_cast<std::size_t>(bins_), last = static_cast<std::size_t>(kOutside + inside_);
+  hollow_ = takeOutHollows(SectionStack{ sections_.places(), rises, known_, columns, kOutside, last, kBin });
+}
+
+/// Medians of what is clean, else of all.
+void SeamSurface::fillWithout(const std::vector<float>& clean, const std::vector<float>& all)
+{
   fillMedians(clean, kReach);
   // between two spots something is left further off; where nothing is there was more than a spot
   const std::vector<float> near = std::move(medians_);
   fillMedians(clean, 2.0 * kReach);
   const std::vector<float> far = std::move(medians_);
-  fillMedians(rises, kReach);
+  fillMedians(all, kReach);
   for (std::size_t i = 0; i < near.size(); ++i)
     medians_[i] = std::isfinite(near[i]) ? near[i] : std::isfinite(far[i]) ? far[i] : medians_[i];
-  findKnown(clean);
 }
 
 /// The stack's measures, and room for its heights.
@@ -152,9 +170,7 @@ void SeamSurface::fillMedians(const std::vector<float>& rises, double reach)
   const std::vector<double>& places = sections_.places();
   tolerances_.clear();
   medians_.assign(rises.size(), std::numeric_limits<float>::quiet_NaN());
-  std::vector<std::vector<double>> departures(columns);
-  for (std::vector<double>& one : departures)
-    one.reserve(places.size());
+  std::vector<std::vector<double>> departures(columns, std::vector<double>(places.size()));
   std::vector<const float*> near;
   std::vector<double> middles;
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -171,7 +187,7 @@ void SeamSurface::fillMedians(const std::vector<float>& rises, double reach)
     for (std::size_t bin = 0; bin < columns; ++bin)
     {
       medians_[k * columns + bin] = static_cast<float>(middles[bin]);
-      departures[bin].push_back(static_cast<double>(rises[k * columns + bin]) - middles[bin]);
+      departures[bin][k] = static_cast<double>(rises[k * columns + bin]) - middles[bin];
     }
   }
   for (std::vector<double>& one : departures)

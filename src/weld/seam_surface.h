@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +30,13 @@ public:
   /// How far z lies above the median of the neighbouring sections at this place; NaN where nothing is known [m].
   double departure(std::size_t k, double q, double z) const;
 
+  /// Whether a place lies in a hollow of the face that is too wide to be told from the sections near it alone.
+  bool inHollow(std::size_t k, double q) const
+  {
+    const double bin = hollow_.empty() ? -1.0 : binOf(k, q);
+    return bin >= 0.0 && hollow_[k * static_cast<std::size_t>(bins_) + static_cast<std::size_t>(std::lround(bin))] != 0;
+  }
+
   /// What more is let pass where the surface rises or falls along the weld, as at its ends; anything
   /// where the bead is not known [m].
   double alongSlack(std::size_t k, const PathPlace& place) const { return alongSlack(k, place, binOf(k, place.q)); }
@@ -45,14 +54,17 @@ private:
   std::vector<float> prepare();
   void sampleSection(std::size_t k, const SectionProfile& profile, std::vector<float>& rises) const;
   void fillMedians(const std::vector<float>& rises, double reach);
+  void takeOut(std::vector<float>& rises);
+  void fillWithout(const std::vector<float>& clean, const std::vector<float>& all);
   void findKnown(const std::vector<float>& sampled);
 
   const SeamSections& sections_;
   SeamZones zones_;
-  int inside_ = 1;                 ///< bins between the toes
-  int bins_ = 0;                   ///< bins in all
-  std::vector<float> medians_;     ///< sections x bins, above flush
-  std::vector<float> tolerances_;  ///< one a bin
+  int inside_ = 1;                    ///< bins between the toes
+  int bins_ = 0;                      ///< bins in all
+  std::vector<float> medians_;        ///< sections x bins, above flush
+  std::vector<float> tolerances_;     ///< one a bin
+  std::vector<std::uint8_t> hollow_;  ///< sections x bins, whether it is; empty = none is
   double parent_tolerance_ = 0.0;
   std::vector<double> sway_left_, sway_right_;  ///< of each section's toes [m]
   std::vector<std::uint8_t> known_;             ///< of each section, whether what lies between its toes can be told

@@ -24,6 +24,9 @@ constexpr double kRimSeen = 0.8;
 // of its diameter: laser and camera look into a hole at 27 deg to each other or more, and see its walls further down
 constexpr double kDeepest = 2.0;
 
+// of the diameter of a pit that is not seen whole: it may be twice as wide, and as well be none
+constexpr double kUnseen = 0.5;
+
 class StraySearch
 {
 public:
@@ -46,7 +49,8 @@ public:
     }
     judgePits(strays);
     keep(without, strays);
-    std::sort(strays.spots.begin(), strays.spots.end(), [](const WeldSpot& a, const WeldSpot& b) { return a.s < b.s; });
+    for (std::vector<WeldSpot>* spots : { &strays.spots, &strays.hollows })
+      std::sort(spots->begin(), spots->end(), [](const WeldSpot& a, const WeldSpot& b) { return a.s < b.s; });
     return strays;
   }
 
@@ -142,6 +146,14 @@ private:
       strays.widest_pit = std::max(strays.widest_pit, found.spot.diameter.value);
       pits_.push_back(std::move(found));
     }
+    else if (pit && found.on_face)
+      addHollow(found.spot, strays);
+  }
+
+  static void addHollow(WeldSpot spot, Strays& strays)
+  {
+    spot.diameter.sigma = std::hypot(spot.diameter.sigma, kUnseen * spot.diameter.value);
+    strays.hollows.push_back(spot);
   }
 
   /// Which pits are pores; when all strays are known.
@@ -149,17 +161,25 @@ private:
   {
     if (pits_.empty())
       return;
-    std::vector<std::uint8_t> face = found_.on_face;
+    std::vector<std::uint8_t> face = found_.on_face, ball(face.size(), 0);
     for (std::size_t i = 0; i < face.size(); ++i)
-      face[i] = face[i] != 0 && strays.kind[i] == Stray::None ? 1 : 0;
+    {
+      if (strays.kind[i] == Stray::Spatter)
+        maskAround(i, kRim, ball);
+    }
+    for (std::size_t i = 0; i < face.size(); ++i)
+      face[i] = face[i] != 0 && strays.kind[i] == Stray::None && ball[i] == 0 ? 1 : 0;
     for (const Found& pit : pits_)
     {
       const bool shallow = -pit.spot.height.value < kDeepest * pit.spot.diameter.value;
       if (shallow && faceAround(grid_, pit.points, face) >= kRimSeen)
         strays.spots.push_back(pit.spot);
       else
+      {
+        addHollow(pit.spot, strays);
         for (const std::size_t i : pit.points)
           strays.kind[i] = Stray::Foreign;
+      }
     }
   }
 

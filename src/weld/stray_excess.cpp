@@ -66,7 +66,7 @@ private:
     result_.known[i] = std::isfinite(tolerance) ? 1 : 0;
     if (std::abs(departure) >= kNothing)
       result_.tolerances[i] = static_cast<float>(departure / tolerance);
-    const bool taken_out = !without_.empty() && without_[i] != 0;
+    const bool taken_out = (!without_.empty() && without_[i] != 0) || surface_.inHollow(k, place.q);
     of_face_[i] = onFace(i) && !taken_out && mayBeRipple(i) ? 1 : 0;
   }
 

@@ -5,8 +5,11 @@ namespace weld_profiler
 {
 namespace
 {
-std::vector<Place> poresOf(const std::vector<WeldSpot>& spots)
+std::vector<Place> poresOf(const WeldToJudge& weld)
 {
+  std::vector<WeldSpot> spots = *weld.spots;
+  if (weld.hollows != nullptr)
+    spots.insert(spots.end(), weld.hollows->begin(), weld.hollows->end());
   std::vector<Place> pores;
   for (const WeldSpot& spot : spots)
   {
@@ -28,16 +31,24 @@ std::vector<Place> poresOf(const std::vector<WeldSpot>& spots)
 }
 }  // namespace
 
-std::vector<VerdictRow> VerdictRows::poreRows(const std::vector<WeldSpot>& spots) const
+double VerdictRows::beadLength() const
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    length += sections_[i].hasBead() ? cells_[i].end - cells_[i].begin : 0.0;
+  return length;
+}
+
+std::vector<VerdictRow> VerdictRows::poreRows(const WeldToJudge& weld) const
 {
   const LimitEntry* entry = judge_.entry(Imperfection::SurfacePore, kind_);
   std::vector<VerdictRow> result;
   for (const QualityLevel level : kQualityLevels)
   {
     VerdictRow row = emptyRow(Imperfection::SurfacePore, level, entry);
-    row.measured = length_;
+    row.measured = beadLength();
     const bool limited = entry != nullptr && row.rule != LevelLimit::Rule::Permitted;
-    std::vector<Place> pores = poresOf(spots);
+    std::vector<Place> pores = poresOf(weld);
     for (Place& pore : pores)
     {
       Comparison comparison;
@@ -50,8 +61,9 @@ std::vector<VerdictRow> VerdictRows::poreRows(const std::vector<WeldSpot>& spots
     }
     const SizeDecision size = decideSize(pores, pores);
     setPlace(size.place, limited, row);
+    // none is looked for between toes that are not known
     if (limited)
-      row.decision = size.decision;
+      row.decision = size.decision == Decision::Pass && row.measured < needed_ ? Decision::Undecided : size.decision;
     else
       row.decision = entry == nullptr ? Decision::NotJudged : Decision::Pass;
     result.push_back(row);

@@ -34,8 +34,9 @@ public:
   /// B, C, D. @param decides  false = it was not asked for: measured, not judged.
   std::vector<VerdictRow> rows(Imperfection imperfection, bool decides) const;
 
-  /// B, C, D of the pores: each is judged by itself.
-  std::vector<VerdictRow> poreRows(const std::vector<WeldSpot>& spots) const;
+  /// B, C, D of the pores: each is judged by itself. A hollow that may be one fails nothing, as its sigma is half its
+  /// diameter, and passes only what one twice as wide would.
+  std::vector<VerdictRow> poreRows(const WeldToJudge& weld) const;
 
   /// Of the weld, its gaps counted [m].
   double length() const { return length_; }
@@ -46,6 +47,7 @@ public:
 private:
   VerdictRow row(const std::vector<SizeSeries>& all, Imperfection imperfection, QualityLevel level) const;
   std::vector<Place> places(const SizeSeries& series, const LimitEntry* entry, QualityLevel level) const;
+  double beadLength() const;
   double measuredLength(const std::vector<SizeSeries>& all) const;
   void judgeLength(const std::vector<SizeSeries>& all, const std::vector<Place>& medians, VerdictRow& row) const;
 

@@ -123,6 +123,21 @@ void noteRows(const WeldJudge& judge, const VerdictRows& made, const WeldVerdict
     notes.push_back("limits not checked against a copy of " + judge.limits().standard() + ": " + listOf(unverified));
 }
 
+void noteHollows(const WeldToJudge& weld, std::vector<std::string>& notes)
+{
+  if (weld.hollows == nullptr || weld.hollows->empty())
+    return;
+  const auto widest =
+      std::max_element(weld.hollows->begin(), weld.hollows->end(),
+                       [](const WeldSpot& a, const WeldSpot& b) { return a.diameter.value < b.diameter.value; });
+  std::ostringstream text;
+  text.precision(2);
+  text << std::fixed << weld.hollows->size() << (weld.hollows->size() == 1 ? " hollow" : " hollows, the widest")
+       << " of " << widest->diameter.value * kMmPerMetre << " mm at s = " << widest->s * kMmPerMetre
+       << " mm: a pore or none, it was not seen whole";
+  notes.push_back(text.str());
+}
+
 void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, WeldVerdict& verdict)
 {
   const LevelVerdict together = combine(parts);
@@ -171,7 +186,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
     if (imperfection != Imperfection::SurfacePore)
       made = rows.rows(imperfection, decides);
     else if (weld.spots != nullptr)
-      made = rows.poreRows(*weld.spots);
+      made = rows.poreRows(weld);
     addPart(made, decidesSections(imperfection, params_.judge_toe_angle), parts);
     result.rows.insert(result.rows.end(), made.begin(), made.end());
   }
@@ -180,6 +195,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
   noteThickness(*this, result.notes);
   noteLength(result, result.notes);
   noteRows(*this, rows, result, result.notes);
+  noteHollows(weld, result.notes);
   if (result.waiting.sections > 0)
     result.notes.push_back(result.waiting.text());
   return result;

@@ -10,40 +10,11 @@
 #include <Eigen/Core>
 
 #include "weld/ideal_scan.h"
+#include "weld/pits.h"
 #include "weld_profiler/weld/weld_measurer.h"
 
 namespace weld_profiler
 {
-namespace
-{
-/// A hollow in a face, a paraboloid.
-struct Pit
-{
-  double x = 0.0, y = 0.006, diameter = 0.001, depth = 3e-4;  ///< [m]
-
-  double operator()(double px, double py) const
-  {
-    const double r = std::hypot(px - x, py - y) / (0.5 * diameter);
-    return depth * std::max(0.0, 1.0 - r * r);
-  }
-};
-
-void expectHeights(const WeldResult& result, double crest, std::size_t at_least)
-{
-  std::size_t told = 0;
-  for (const WeldSection& section : result.sections)
-  {
-    for (const Quantity* height : { &section.reinforcement, &section.height_left, &section.height_right })
-    {
-      told += height->measured() ? 1 : 0;
-      EXPECT_TRUE(!height->measured() || std::abs(height->value - crest) < 5.0 * height->sigma)
-          << "row " << section.row << ": " << height->value << " +- " << height->sigma;
-    }
-  }
-  EXPECT_GE(told, 3 * at_least);
-}
-}  // namespace
-
 TEST(Pits, APoreOfTwoMillimetresIsOneWithoutPiecesOfItsRim)
 {
   const IdealWeld weld;

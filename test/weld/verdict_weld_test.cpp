@@ -119,6 +119,41 @@ TEST(WeldVerdict, JudgesPoresOneByOne)
   EXPECT_EQ(judged(sections, params, WeldKind::Butt, &spots).verdict, "fail") << "0.3 s = 1.05 mm";
 }
 
+TEST(WeldVerdict, AHollowThatMayBeAPoreFailsNothingAndPassesWhatOneTwiceAsWideWould)
+{
+  const std::vector<WeldSection> sections = goodWeld(0.05);
+  const std::vector<WeldSpot> spots;
+  WeldSpot hollow;
+  hollow.kind = WeldSpot::Kind::Pore;
+  hollow.diameter = { 0.6e-3, 0.3e-3 };
+  hollow.s = 0.02;
+  const std::vector<WeldSpot> hollows{ hollow };
+  const WeldVerdict verdict = WeldJudge(plate(5.0)).judge(WeldToJudge{ WeldKind::Butt, &sections, &spots, &hollows });
+  const std::array<Decision, 3> decisions{ Decision::Undecided, Decision::Undecided, Decision::Pass };
+  for (const QualityLevel level : kQualityLevels)
+  {
+    const VerdictRow& row = rowOf(verdict, Imperfection::SurfacePore, level);
+    EXPECT_EQ(row.decision, decisions[static_cast<std::size_t>(level)]) << "none, 0.2 s = 1 mm, 0.3 s = 1.5 mm";
+    EXPECT_NEAR(row.s, 0.02, 1e-12);
+  }
+  EXPECT_EQ(verdict.verdict, "undecided");
+  EXPECT_TRUE(std::any_of(verdict.notes.begin(), verdict.notes.end(),
+                          [](const std::string& note)
+                          { return note.find("hollow of 0.60 mm at s = 20.00 mm") != std::string::npos; }));
+}
+
+TEST(WeldVerdict, NoPoreWhereAQuarterWasNotSeenIsNoPass)
+{
+  std::vector<WeldSection> sections = goodWeld(0.05);
+  const std::vector<WeldSpot> spots;
+  for (std::size_t i = 0; i < sections.size(); i += 4)
+    sections[i].width = Quantity{};
+  const WeldVerdict verdict = judged(sections, plate(5.0), WeldKind::Butt, &spots);
+  const VerdictRow& row = rowOf(verdict, Imperfection::SurfacePore, QualityLevel::C);
+  EXPECT_EQ(row.decision, Decision::Undecided);
+  EXPECT_NEAR(row.measured, 0.75 * 0.05, 1e-3);
+}
+
 TEST(WeldVerdict, JudgesAnUnfilledGrooveThoughSectionsDoNot)
 {
   std::vector<WeldSection> sections = goodWeld(0.05);

@@ -107,6 +107,7 @@ struct WeldToJudge
   WeldKind kind = WeldKind::None;
   const std::vector<WeldSection>* sections = nullptr;  ///< along the path, s rising; holes may be missing
   const std::vector<WeldSpot>* spots = nullptr;        ///< null = pores were not looked for
+  const std::vector<WeldSpot>* hollows = nullptr;      ///< that may be pores; null = there are none
 };
 
 /// Judges welds after a table of limits. Immutable: one object may serve several threads. docs/verdict.md has the
