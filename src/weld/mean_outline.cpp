@@ -26,6 +26,8 @@ void MeanOutline::add(const SectionProfile& profile, const Line& parent, double 
   auto i = static_cast<std::size_t>(std::lower_bound(profile.q.begin(), profile.q.end(), from_) - profile.q.begin());
   for (; i < profile.size() && profile.q[i] < to_; ++i)
   {
+    if (profile.q[i] < from_)
+      continue;  // q rises but for noise, and for points that one row off the plane tells alone
     Cell& cell = cells_[static_cast<std::size_t>((profile.q[i] - from_) / kCell)];
     cell.weight += weight;
     cell.q += weight * profile.q[i];

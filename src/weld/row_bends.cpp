@@ -16,6 +16,7 @@ constexpr double kStretch = 5e-3;        // of weld to either side, several ripp
 constexpr double kNeighbouring = 1.6;    // row pitches between rows that are neighbours
 constexpr int kFewestColumns = 3;        // of the strip
 constexpr std::size_t kFewestRows = 10;  // of a stretch
+constexpr double kRipple = 2.0;          // medians that ripples bend by at most
 
 struct RowBend
 {
@@ -93,19 +94,23 @@ private:
   const std::vector<std::uint8_t>& masked_;
 };
 
-/// Quadratic mean over what lies within a distance of s; NaN of too few.
+/// Quadratic mean over what lies within a distance of s; NaN of too few. Where a bead begins or ends it bends by more
+/// than ripples do: the largest bend of a sine is sqrt(2) its median.
 double meanAbout(const std::vector<RowBend>& bends, double s, double distance)
 {
-  double squares = 0.0;
-  std::size_t count = 0;
+  std::vector<double> near;
   for (const RowBend& one : bends)
   {
-    if (std::abs(one.s - s) > distance)
-      continue;
-    squares += square(one.bend);
-    ++count;
+    if (std::abs(one.s - s) <= distance)
+      near.push_back(std::abs(one.bend));
   }
-  return count < std::min(kFewestRows, bends.size()) ? kNaN : std::sqrt(squares / static_cast<double>(count));
+  if (near.size() < std::min(kFewestRows, bends.size()))
+    return kNaN;
+  const double most = kRipple * median(near);
+  double squares = 0.0;
+  for (const double bend : near)
+    squares += square(std::min(bend, most));
+  return std::sqrt(squares / static_cast<double>(near.size()));
 }
 }  // namespace
 

@@ -16,6 +16,7 @@ constexpr double kParabola = 3.0;      // values that one has
 constexpr double kCourse = 8;          // nodes that tell how the face goes on into a break ...
 constexpr double kFewestOfCourse = 3;  // ... and at least
 constexpr double kHidden = 2.0;        // sigmas by which it may rise higher there before it is said
+constexpr double kGuessed = 0.7;       // of a height's sigma, from where it is for want of rows
 
 std::size_t firstFrom(const SectionProfile& profile, double q)
 {
@@ -51,11 +52,13 @@ void addBetweenRows(const SectionProfile& profile, std::size_t begin, std::size_
   if (!(row_bend > 0.0) || profile.between.empty())
     return;
   double sum = 0.0;
+  std::size_t lone = 0;
   for (std::size_t i = begin; i < end; ++i)
   {
     sum += std::abs(static_cast<double>(profile.between[i]));
-    node.lone = node.lone || profile.between[i] < 0.0F;
+    lone += profile.between[i] < 0.0F ? 1 : 0;
   }
+  node.lone = 2 * lone > end - begin;
   node.between = row_bend * sum / static_cast<double>(end - begin);
 }
 
@@ -158,6 +161,28 @@ std::vector<HeightNode> localHeights(const SectionProfile& profile, const Height
       nodes.push_back(node);
   }
   return nodes;
+}
+
+std::vector<HeightNode> withoutGuessed(const std::vector<HeightNode>& nodes, double step)
+{
+  const auto guessed = [](const HeightNode& node) { return node.lone && node.between > kGuessed * node.sigma; };
+  std::vector<char> taken(nodes.size(), 1);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+  {
+    if (!(nodes[i + 1].q - nodes[i].q > 1.5 * step))
+      continue;
+    for (std::size_t j = i + 1; j > 0 && guessed(nodes[j - 1]); --j)
+      taken[j - 1] = 0;
+    for (std::size_t j = i + 1; j < nodes.size() && guessed(nodes[j]); ++j)
+      taken[j] = 0;
+  }
+  std::vector<HeightNode> rest;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (taken[i] != 0)
+      rest.push_back(nodes[i]);
+  }
+  return rest;
 }
 
 Quantity largestAbove(const std::vector<HeightNode>& nodes, const Line& line, double step, std::size_t rims)

@@ -17,7 +17,7 @@ struct HeightNode
   double sigma = 0.0;    ///< of z [m]
   double bend = 0.0;     ///< second derivative [1/m]
   double between = 0.0;  ///< part of sigma: what ripples between the rows may lift or lower all around it [m]
-  bool lone = false;     ///< told by points of one row that lies off the section's plane
+  bool lone = false;     ///< most of its points are of one row that lies off the section's plane
 };
 
 /// What local fits are made over.
@@ -33,6 +33,10 @@ struct HeightSpan
 
 /// Local fits from `from` to `to`. Places in a break, or with less than five points around, have no node.
 std::vector<HeightNode> localHeights(const SectionProfile& profile, const HeightSpan& span);
+
+/// Without those that the last row before a break tells alone and ripples move: how the face goes on is not theirs to
+/// say.
+std::vector<HeightNode> withoutGuessed(const std::vector<HeightNode>& nodes, double step);
 
 /// Largest distance of the nodes above a line. Not measured where it lies beside a break, or where the face may rise
 /// higher in one: where the courses of both sides meet.

@@ -20,7 +20,6 @@ constexpr double kUnseenRim = 1.2e-3;   // of the face at a toe; with more unsee
 constexpr double kFaceEnergy = 1.6;     // of the face's points over that of the parents': it is curved and rippled
 constexpr double kFaceBias = 1e-6;      // what the face's points err alike [m]
 constexpr double kRippled = 1.0 / 3.0;  // of the face: ripples trail and end at its toes, where others are at the crest
-constexpr double kGuessed = 0.7;        // of a height's sigma, from where it is for want of rows
 constexpr double kLongestBridge = 1.6e-3;  // break in the face (spatter) that its area is bridged over [m]
 
 /// Error of a toe across a line: that of its parent's height, and what its shift along the parent makes.
@@ -39,18 +38,13 @@ SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const Par
   return point;
 }
 
-/// Nodes clear of both toes, where the kinks' blur lifts or lowers the face. Where rows are missing, without those that
-/// the last row before them tells alone and ripples move: how the face goes on is not theirs to say.
-std::vector<HeightNode> clearNodes(const std::vector<HeightNode>& nodes, double step, const SectionShape& shape)
+/// Nodes clear of both toes, where the kinks' blur lifts or lowers the face.
+std::vector<HeightNode> clearNodes(const std::vector<HeightNode>& nodes, const SectionShape& shape)
 {
-  const auto apart = [step](const HeightNode& a, const HeightNode& b) { return b.q - a.q > 1.5 * step; };
-  const bool broken = std::adjacent_find(nodes.begin(), nodes.end(), apart) != nodes.end();
-  const auto guessed = [](const HeightNode& node) { return node.lone && node.between > kGuessed * node.sigma; };
   std::vector<HeightNode> clear;
   for (const HeightNode& node : nodes)
   {
-    if (node.q - shape.toe_left.q > kBlurredRim && shape.toe_right.q - node.q > kBlurredRim &&
-        !(broken && guessed(node)))
+    if (node.q - shape.toe_left.q > kBlurredRim && shape.toe_right.q - node.q > kBlurredRim)
       clear.push_back(node);
   }
   return clear;
@@ -71,7 +65,7 @@ std::vector<HeightNode> withToes(std::vector<HeightNode> nodes, const SectionSha
 void fillHeights(const std::vector<HeightNode>& all, double step, const SectionShape& shape, WeldSection& section)
 {
   const Line chord = shape.chord();
-  const std::vector<HeightNode> nodes = clearNodes(all, step, shape);
+  const std::vector<HeightNode> nodes = clearNodes(withoutGuessed(all, step), shape);
   const double middle = 0.5 * (shape.toe_left.q + shape.toe_right.q);
   if (!nodes.empty() && nodes.front().q - shape.toe_left.q < kUnseenRim &&
       shape.toe_right.q - nodes.back().q < kUnseenRim)
