@@ -63,7 +63,7 @@ SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sam
 
 void SeamSurface::takeOut(std::vector<float>& rises)
 {
-  const auto columns = static_cast<std::size_t>(bins_), last = static_cast<std::size_t>(kOutside + inside_);
+  const auto columns = static_cast<std::size_t>(bins_), last = columns - 1 - static_cast<std::size_t>(kOutside);
   hollow_ = takeOutHollows(SectionStack{ sections_.places(), rises, known_, columns, kOutside, last, kBin });
 }
 
