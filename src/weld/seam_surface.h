@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,14 @@ public:
   std::size_t size() const { return sections_.size(); }
   std::size_t nearestSection(double s) const { return zones_.nearestSection(s); }
   bool onFace(std::size_t k, double q) const { return zones_.zone(k, q) == Zone::Weld; }
+  /// How a point between the toes lies to the nearer plate: 1 above it, 0 on it, -1 below.
+  int overPlate(std::size_t k, double q, double z) const
+  {
+    const double rise = z - zones_.plate(k, q);
+    return rise > parent_tolerance_ ? 1 : rise < -parent_tolerance_ ? -1 : 0;
+  }
+  /// From a place on the face to the nearer toe [m].
+  double toToe(std::size_t k, double q) const { return std::min(q - zones_.leftToe(k), zones_.rightToe(k) - q); }
   double yaw(std::size_t k) const { return sections_.profile(k).place.yaw; }
 
   /// How far z lies above the median of the neighbouring sections at this place; NaN where nothing is known [m].

@@ -65,6 +65,13 @@ public:
   double leftToe(std::size_t k) const { return across_[k].left; }
   double rightToe(std::size_t k) const { return across_[k].right; }
 
+  /// The nearer parent, continued below the weld; NaN where it is not known [m].
+  double plate(std::size_t k, double q) const
+  {
+    const Across& across = across_[k];
+    return 2.0 * q < across.left + across.right ? across.left_parent.at(q) : across.right_parent.at(q);
+  }
+
   /// Through the parent lines at the toes that a section is mapped between; not valid where one is not known.
   const Line& chord(std::size_t k) const { return across_[k].chord; }
 

@@ -88,6 +88,7 @@ private:
     double extent = 0.0;   ///< the larger of those along x and y [m]
     double hidden = 0.0;   ///< by which it may be wider than seen [m]
     bool on_face = false;  ///< its top
+    bool on_plate = false;
     std::vector<std::size_t> points;
   };
 
@@ -107,6 +108,7 @@ private:
       spot.x = x, spot.y = y, spot.z = static_cast<double>(grid_.z[i]);
       spot.s = sampler_.place(i).s;
       found.on_face = found_.on_face[i] != 0;
+      found.on_plate = found_.over_plate[i] == 0;
       spot.height = Quantity{ static_cast<double>(found_.height[i]), static_cast<double>(grid_.sigma[i]) };
     }
     found.extent = std::max(most_x - least_x, most_y - least_y);
@@ -121,10 +123,30 @@ private:
     return found;
   }
 
+  template <class Is>
+  static bool any(const Found& found, Is&& is)
+  {
+    return std::any_of(found.points.begin(), found.points.end(), is);
+  }
+
+  /// Where a bead is narrower than beside, what lies lower than its face there is the plate, from the toe on.
+  bool isWaist(const Found& found) const
+  {
+    const auto plate_at_toe = [this](std::size_t i) { return found_.over_plate[i] == 0 && found_.at_toe[i] != 0; };
+    return found.spot.kind == WeldSpot::Kind::Pore && found.on_plate && any(found, plate_at_toe);
+  }
+
+  /// Likewise where its flank lies farther inward: open to a toe, and nowhere deeper than the plate.
+  bool isFlank(const Found& found) const
+  {
+    return any(found, [this](std::size_t i) { return found_.at_toe[i] != 0; }) &&
+           !any(found, [this](std::size_t i) { return found_.over_plate[i] < 0; });
+  }
+
   void takeSpot(std::size_t start, Strays& strays)
   {
     Found found = describe(connected(start));
-    if (found.points.size() < kFewest || found.top < kClear)
+    if (found.points.size() < kFewest || found.top < kClear || isWaist(found))
       return;
     const bool pit = found.spot.kind == WeldSpot::Kind::Pore;
     // what lies below a plate is no pore of the weld
@@ -147,11 +169,14 @@ private:
       pits_.push_back(std::move(found));
     }
     else if (pit && found.on_face)
-      addHollow(found.spot, strays);
+      addHollow(found, strays);
   }
 
-  static void addHollow(WeldSpot spot, Strays& strays)
+  void addHollow(const Found& pit, Strays& strays) const
   {
+    if (isFlank(pit))
+      return;
+    WeldSpot spot = pit.spot;
     spot.diameter.sigma = std::hypot(spot.diameter.sigma, kUnseen * spot.diameter.value);
     strays.hollows.push_back(spot);
   }
@@ -176,7 +201,7 @@ private:
         strays.spots.push_back(pit.spot);
       else
       {
-        addHollow(pit.spot, strays);
+        addHollow(pit, strays);
         for (const std::size_t i : pit.points)
           strays.kind[i] = Stray::Foreign;
       }

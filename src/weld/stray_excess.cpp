@@ -24,6 +24,7 @@ constexpr float kLeast = 6e-5F;     // [m]
 constexpr float kNoCrest = 3.0F;
 constexpr float kNoTrough = -2.0F;
 constexpr std::size_t kSampled = 97;  // every so many points tell the scatter
+constexpr double kAtToe = 4e-4;       // [m]
 constexpr double kFoot = 0.4;         // of a tolerance: what departs by less is of no stray's foot
 
 class ExcessFinder
@@ -37,6 +38,8 @@ public:
     result_.height.assign(grid.z.size(), 0.0F);
     result_.tolerances.assign(grid.z.size(), 0.0F);
     result_.on_face.assign(grid.z.size(), 0);
+    result_.at_toe = result_.on_face;
+    result_.over_plate.assign(grid.z.size(), 1);
     result_.known.assign(grid.z.size(), 0);
     stride_ = std::max(1, static_cast<int>(std::lround(kBeside / kNeighbours / grid.spacing)));
   }
@@ -59,6 +62,11 @@ private:
     const std::size_t k = surface_.nearestSection(place.s);
     const double departure = surface_.departure(k, place.q, static_cast<double>(grid_.z[i]));
     result_.on_face[i] = surface_.onFace(k, place.q) ? 1 : 0;
+    if (onFace(i))
+    {
+      result_.over_plate[i] = static_cast<std::int8_t>(surface_.overPlate(k, place.q, static_cast<double>(grid_.z[i])));
+      result_.at_toe[i] = surface_.toToe(k, place.q) < kAtToe ? 1 : 0;
+    }
     if (!std::isfinite(departure))
       return;
     result_.height[i] = static_cast<float>(departure);

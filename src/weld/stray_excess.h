@@ -11,10 +11,12 @@ namespace weld
 /// How far each point of the grid departs from the surface.
 struct StrayExcess
 {
-  std::vector<float> height;          ///< above the surface [m]; 0 where nothing is known
-  std::vector<std::uint8_t> on_face;  ///< whether a point lies between the toes
-  std::vector<float> tolerances;      ///< the same in units of what the surface itself departs by
-  std::vector<std::uint8_t> known;    ///< whether a point can be judged
+  std::vector<float> height;            ///< above the surface [m]; 0 where nothing is known
+  std::vector<std::uint8_t> on_face;    ///< whether a point lies between the toes
+  std::vector<std::int8_t> over_plate;  ///< of these, 1 above the nearer plate, 0 on it, -1 below
+  std::vector<std::uint8_t> at_toe;     ///< of these, whether a toe is near
+  std::vector<float> tolerances;        ///< the same in units of what the surface itself departs by
+  std::vector<std::uint8_t> known;      ///< whether a point can be judged
 };
 
 /// Points are held against the median of the sections around; on the face also against their neighbours across the

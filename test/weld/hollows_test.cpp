@@ -104,6 +104,24 @@ TEST(Hollows, OneBetweenBallsLeavesThePoresUndecided)
   }
 }
 
+TEST(Hollows, ABeadThatIsNarrowerSomewhereHasNone)
+{
+  const IdealWeld weld = buttWeld();
+  for (const double length : { 0.0005, 0.0008, 0.0012 })
+  {
+    SCOPED_TRACE(length);
+    const auto waisted = [&](double x, double y)
+    {
+      const double d = (y - 0.010) / length, by = 0.08 * std::exp(-0.5 * d * d);
+      return weld(x / (1.0 - by), y);
+    };
+    const WeldResult result = WeldMeasurer().measure(longScanner()(waisted));
+    EXPECT_TRUE(result.spots.empty());
+    EXPECT_TRUE(result.hollows.empty());
+    EXPECT_EQ(poreRow(result, QualityLevel::B).decision, Decision::Pass);
+  }
+}
+
 TEST(Hollows, OneAtAToeLeavesThePoresUndecided)
 {
   const IdealWeld weld = buttWeld();
