@@ -18,6 +18,8 @@ namespace weld_accuracy
 {
 namespace
 {
+constexpr std::size_t kTimedAgain = 20;  // one in so many, the slowest by the row
+
 class Worker
 {
 public:
@@ -41,10 +43,34 @@ public:
       thread.join();
     if (failure_)
       std::rethrow_exception(failure_);
+    timeSlowestAgain();
     return std::move(welds_);
   }
 
 private:
+  std::string pathOf(std::uint64_t seed) const
+  {
+    return run_.state.empty() ? "" : run_.state + "/weld_" + std::to_string(seed) + ".txt";
+  }
+
+  /// A machine that others share is slower for minutes at a time: the slowest have a second chance.
+  void timeSlowestAgain()
+  {
+    std::vector<WeldCase*> slowest;
+    for (WeldCase& weld : welds_)
+      slowest.push_back(&weld);
+    std::sort(slowest.begin(), slowest.end(),
+              [](const WeldCase* a, const WeldCase* b)
+              { return a->times.measure * b->rows > b->times.measure * a->rows; });
+    slowest.resize(slowest.size() / kTimedAgain);
+    for (WeldCase* weld : slowest)
+    {
+      timeAgain(*weld);
+      if (!run_.state.empty())
+        saveCase(*weld, pathOf(weld->seed), mark_);
+    }
+  }
+
   void work()
   {
     for (int i = next_++; i < run_.welds && !failed_; i = next_++)
@@ -65,7 +91,7 @@ private:
   void take(int index)
   {
     const std::uint64_t seed = run_.first + static_cast<std::uint64_t>(index);
-    const std::string path = run_.state.empty() ? "" : run_.state + "/weld_" + std::to_string(seed) + ".txt";
+    const std::string path = pathOf(seed);
     std::optional<WeldCase> weld = path.empty() ? std::nullopt : loadCase(path, mark_);
     const bool is_new = !weld;
     if (is_new)
