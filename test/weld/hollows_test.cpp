@@ -44,12 +44,7 @@ TEST(Hollows, APoreATenthAsDeepAsItIsWideIsFoundAndGoesIntoNoHeight)
     SCOPED_TRACE(pit.y);
     const WeldResult result =
         WeldMeasurer().measure(longScanner()([&](double x, double y) { return weld(x, y) - pit(x, y); }));
-    ASSERT_EQ(result.spots.size(), 1u);
-    const WeldSpot& spot = result.spots.front();
-    EXPECT_EQ(spot.kind, WeldSpot::Kind::Pore);
-    EXPECT_NEAR(spot.diameter.value, pit.diameter, 2.0 * spot.diameter.sigma);
-    EXPECT_LT(spot.diameter.sigma, 0.15 * pit.diameter);
-    EXPECT_NEAR(spot.height.value, -pit.depth, 3e-5);
+    expectOnePore(result, pit, 3e-5);
     EXPECT_TRUE(result.hollows.empty());
     std::size_t told = 0;
     for (const WeldSection& section : result.sections)

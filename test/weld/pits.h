@@ -21,6 +21,17 @@ struct Pit
   }
 };
 
+/// The pit is the one spot of a result, a pore of its size.
+inline void expectOnePore(const WeldResult& result, const Pit& pit, double depth_tolerance)
+{
+  ASSERT_EQ(result.spots.size(), 1u);
+  const WeldSpot& spot = result.spots.front();
+  EXPECT_EQ(spot.kind, WeldSpot::Kind::Pore);
+  EXPECT_NEAR(spot.diameter.value, pit.diameter, 2.0 * spot.diameter.sigma);
+  EXPECT_LT(spot.diameter.sigma, 0.15 * pit.diameter);
+  EXPECT_NEAR(spot.height.value, -pit.depth, depth_tolerance);
+}
+
 /// Every height that is told is the crest's; of at least so many sections.
 inline void expectHeights(const WeldResult& result, double crest, std::size_t at_least)
 {

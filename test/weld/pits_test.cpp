@@ -24,12 +24,7 @@ TEST(Pits, APoreOfTwoMillimetresIsOneWithoutPiecesOfItsRim)
     const WeldResult result =
         WeldMeasurer().measure(IdealScanner()([&](double px, double py) { return weld(px, py) - pit(px, py); }));
     SCOPED_TRACE(x);
-    ASSERT_EQ(result.spots.size(), 1u);
-    const WeldSpot& spot = result.spots.front();
-    EXPECT_EQ(spot.kind, WeldSpot::Kind::Pore);
-    EXPECT_NEAR(spot.diameter.value, pit.diameter, 2.0 * spot.diameter.sigma);
-    EXPECT_LT(spot.diameter.sigma, 0.15 * pit.diameter);
-    EXPECT_NEAR(spot.height.value, -pit.depth, 5e-5);
+    expectOnePore(result, pit, 5e-5);
     expectHeights(result, weld.height, 40);
   }
 }
