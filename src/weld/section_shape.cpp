@@ -39,7 +39,7 @@ SectionPoint cloudPoint(const WeldPathPoint& place, const ToeFit& toe, const Par
 }
 
 /// Nodes clear of both toes, where the kinks' blur lifts or lowers the face.
-std::vector<HeightNode> clearNodes(const std::vector<HeightNode>& nodes, const SectionShape& shape)
+std::vector<HeightNode> clearOfToes(const std::vector<HeightNode>& nodes, const SectionShape& shape)
 {
   std::vector<HeightNode> clear;
   for (const HeightNode& node : nodes)
@@ -65,7 +65,7 @@ std::vector<HeightNode> withToes(std::vector<HeightNode> nodes, const SectionSha
 void fillHeights(const std::vector<HeightNode>& all, double step, const SectionShape& shape, WeldSection& section)
 {
   const Line chord = shape.chord();
-  const std::vector<HeightNode> nodes = clearNodes(withoutGuessed(all, step), shape);
+  const std::vector<HeightNode> nodes = clearOfToes(withoutGuessed(all, step), shape);
   const double middle = 0.5 * (shape.toe_left.q + shape.toe_right.q);
   if (!nodes.empty() && nodes.front().q - shape.toe_left.q < kUnseenRim &&
       shape.toe_right.q - nodes.back().q < kUnseenRim)
