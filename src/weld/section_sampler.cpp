@@ -61,6 +61,21 @@ int SectionSampler::nearestRow(double y) const
   return static_cast<int>(after) - (before_is_nearer ? 1 : 0);
 }
 
+SectionSampler::Points::Points(std::size_t most, SectionProfile& profile)
+{
+  profile.q.resize(most);
+  profile.z.resize(most);
+  profile.between.resize(most);
+  q_ = profile.q.data(), z_ = profile.z.data(), between_ = profile.between.data();
+}
+
+void SectionSampler::Points::end(SectionProfile& profile) const
+{
+  profile.q.resize(count_);
+  profile.z.resize(count_);
+  profile.between.resize(count_);
+}
+
 void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, SectionProfile& profile) const
 {
   profile.place = path_.at(s);
@@ -68,13 +83,7 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
   profile.scan_row = grid_.scan_row[static_cast<std::size_t>(row)];
   profile.row_pitch = grid_.pitch * std::cos(profile.place.yaw);
   const auto cells = static_cast<std::size_t>(grid_.cells);
-  for (std::vector<double>* field : { &profile.q, &profile.z })
-  {
-    field->clear();
-    field->reserve(cells);
-  }
-  profile.between.clear();
-  profile.between.reserve(cells);
+  Points points(cells, profile);
   const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
   const double most = kBridge * profile.row_pitch;
   for (int column = 0; column < grid_.cells; ++column)
@@ -90,16 +99,18 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
       const double before = s - along(i), after = along(i + cells) - s;
       if (before + after <= most)
       {
-        put(Mixture{ i, i + cells, before / (before + after), before * after }, profile);
+        put(Mixture{ i, i + cells, before / (before + after), before * after }, points);
         continue;
       }
     }
-    lookAround(Crossing{ s, row, column }, masked, profile);
+    Mixture mixture;
+    if (lookAround(Crossing{ s, profile.row_pitch, row, column }, masked, mixture))
+      put(mixture, points);
   }
+  points.end(profile);
 }
 
-void SectionSampler::lookAround(const Crossing& at, const std::vector<std::uint8_t>& masked,
-                                SectionProfile& profile) const
+bool SectionSampler::lookAround(const Crossing& at, const std::vector<std::uint8_t>& masked, Mixture& of) const
 {
   const int reach = 3;
   const auto usable = [&](std::size_t i) { return std::isfinite(grid_.z[i]) && (masked.empty() || masked[i] == 0); };
@@ -110,35 +121,20 @@ void SectionSampler::lookAround(const Crossing& at, const std::vector<std::uint8
   for (int r = std::max(0, at.row - 1); r <= std::min(grid_.rows - 1, at.row + 1 + reach) && above < 0; ++r)
     if (usable(grid_.at(r, at.column)) && along(grid_.at(r, at.column)) > at.s)
       above = r;
-  add(at.s, at.column, below, above, profile);
-}
-
-void SectionSampler::add(double s, int column, int below, int above, SectionProfile& profile) const
-{
-  const double before = below < 0 ? kNaN : s - place(grid_.at(below, column)).s;
-  const double after = above < 0 ? kNaN : place(grid_.at(above, column)).s - s;
-  double share = kNaN;  // of the point above
-  double between = before * after;
-  if (before + after <= kBridge * profile.row_pitch)
-    share = before / (before + after);
-  else if (before <= kAlone * profile.row_pitch)
-    share = 0.0, between = -kOneSided * before * profile.row_pitch;
-  else if (after <= kAlone * profile.row_pitch)
-    share = 1.0, between = -kOneSided * after * profile.row_pitch;
+  const double before = below < 0 ? kNaN : at.s - along(grid_.at(below, at.column));
+  const double after = above < 0 ? kNaN : along(grid_.at(above, at.column)) - at.s;
+  of.between = before * after;
+  if (before + after <= kBridge * at.pitch)
+    of.share = before / (before + after);
+  else if (before <= kAlone * at.pitch)
+    of.share = 0.0, of.between = -kOneSided * before * at.pitch;
+  else if (after <= kAlone * at.pitch)
+    of.share = 1.0, of.between = -kOneSided * after * at.pitch;
   else
-    return;
-  put(Mixture{ grid_.at(share < 1.0 ? below : above, column), grid_.at(share > 0.0 ? above : below, column), share,
-               between },
-      profile);
-}
-
-void SectionSampler::put(const Mixture& of, SectionProfile& profile) const
-{
-  const double rest = 1.0 - of.share;
-  profile.q.push_back(rest * place(of.below).q + of.share * place(of.above).q);
-  profile.z.push_back(rest * static_cast<double>(grid_.z[of.below]) +
-                      of.share * static_cast<double>(grid_.z[of.above]));
-  profile.between.push_back(static_cast<float>(of.between));
+    return false;
+  of.below = grid_.at(of.share < 1.0 ? below : above, at.column);
+  of.above = grid_.at(of.share > 0.0 ? above : below, at.column);
+  return true;
 }
 }  // namespace weld
 }  // namespace weld_profiler

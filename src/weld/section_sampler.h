@@ -61,19 +61,42 @@ private:
   /// Where a column crosses the plane at s: behind a row.
   struct Crossing
   {
-    double s;
+    double s, pitch;
     int row, column;
   };
-  void lookAround(const Crossing& at, const std::vector<std::uint8_t>& masked, SectionProfile& profile) const;
-  void add(double s, int column, int below, int above, SectionProfile& profile) const;
   /// A point that is made of two of the grid.
   struct Mixture
   {
-    std::size_t below, above;
-    double share;    ///< of the one above
-    double between;  ///< as in a profile
+    std::size_t below = 0, above = 0;
+    double share = 0.0;    ///< of the one above
+    double between = 0.0;  ///< as in a profile
   };
-  void put(const Mixture& of, SectionProfile& profile) const;
+  bool lookAround(const Crossing& at, const std::vector<std::uint8_t>& masked, Mixture& of) const;
+
+  /// A profile's points while they become more.
+  class Points
+  {
+  public:
+    Points(std::size_t most, SectionProfile& profile);
+    void add(double q, double z, double between)
+    {
+      q_[count_] = q, z_[count_] = z, between_[count_] = static_cast<float>(between);
+      ++count_;
+    }
+    void end(SectionProfile& profile) const;
+
+  private:
+    double *q_, *z_;
+    float* between_;
+    std::size_t count_ = 0;
+  };
+  void put(const Mixture& of, Points& points) const
+  {
+    const double rest = 1.0 - of.share;
+    points.add(rest * place(of.below).q + of.share * place(of.above).q,
+               rest * static_cast<double>(grid_.z[of.below]) + of.share * static_cast<double>(grid_.z[of.above]),
+               of.between);
+  }
 
   const ScanGrid& grid_;
   const WeldPath& path_;
