@@ -27,6 +27,11 @@ public:
       outline_(grid, row),
       parents_(rowParents(outline_.nodes(), outline_.noise(), outline_.seen(), params))
   {
+    for (const StraightRun& parent : parents_)
+    {
+      left_of_bead_.push_back(clearLine(outline_.nodes(), parent, -1, params.parent_length));
+      right_of_bead_.push_back(clearLine(outline_.nodes(), parent, 1, params.parent_length));
+    }
   }
 
   RowFindings operator()()
@@ -128,8 +133,8 @@ private:
     const StraightRun& right = parents_[j];
     RowBead bead;
     bead.row = row_;
-    bead.left = clearLine(outline_.nodes(), left, -1, params_.parent_length);
-    bead.right = clearLine(outline_.nodes(), right, 1, params_.parent_length);
+    bead.left = left_of_bead_[i];
+    bead.right = right_of_bead_[j];
     const int first = outline_.firstOff((left.first + left.end) / 2, right.first, bead.left, params_.min_width);
     const int last = outline_.firstOff((right.first + right.end) / 2, left.end - 1, bead.right, params_.min_width);
     findings.sunken = findings.sunken || (j == i + 1 && liesBelow(left, right));
@@ -194,6 +199,7 @@ private:
   const WeldParams& params_;
   RowOutline outline_;
   std::vector<StraightRun> parents_;
+  std::vector<Line> left_of_bead_, right_of_bead_;  ///< each parent's line clear of a bead on that side
 };
 }  // namespace
 

@@ -20,9 +20,11 @@ Line robustLine(const std::vector<Node>& nodes, const StraightRun& run, double l
 {
   const double middle = 0.5 * (run.x_from + run.x_to);
   Line line = run.line;
+  std::vector<double> residuals;
+  residuals.reserve(static_cast<std::size_t>(run.end - run.first));
   for (int round = 0; round < kRounds; ++round)
   {
-    std::vector<double> residuals;
+    residuals.clear();
     for (int i = run.first; i < run.end; ++i)
       residuals.push_back(nodes[static_cast<std::size_t>(i)].z - line.at(nodes[static_cast<std::size_t>(i)].x));
     const double scale = std::max(least_scale, robustSigma(residuals));
@@ -103,25 +105,34 @@ Line clearLine(const std::vector<Node>& nodes, const StraightRun& run, int side,
 {
   const double end = side < 0 ? run.x_to : run.x_from;
   const double clear = std::min(kClear, kClearShare * run.length());
-  std::vector<Node> part;
-  for (int i = run.first; i < run.end; ++i)
+  const auto at = [&nodes](int i) -> const Node& { return nodes[static_cast<std::size_t>(i)]; };
+  // as x rises, so those outward of one place and inward of another follow each other
+  const auto taken = [&](int i)
   {
-    const Node& node = nodes[static_cast<std::size_t>(i)];
-    const double outward = side * (node.x - end);
-    if (outward >= clear && outward <= clear + length)
-      part.push_back(node);
-  }
-  if (part.size() < 6)
-    return run.line;
-  const auto third = static_cast<std::ptrdiff_t>(part.size() / 3);
-  const auto middle = [&run](std::vector<Node>::const_iterator from, std::vector<Node>::const_iterator to)
-  {
-    std::vector<double> x, z;
-    std::transform(from, to, std::back_inserter(x), [](const Node& node) { return node.x; });
-    std::transform(from, to, std::back_inserter(z), [&run](const Node& node) { return node.z - run.line.at(node.x); });
-    return std::make_pair(median(std::move(x)), median(std::move(z)));
+    const double outward = side * (at(i).x - end);
+    return outward >= clear && outward <= clear + length;
   };
-  const auto near = middle(part.cbegin(), part.cbegin() + third), far = middle(part.cend() - third, part.cend());
+  int first = run.first, last = run.end;
+  while (first < last && !taken(first))
+    ++first;
+  while (last > first && !taken(last - 1))
+    --last;
+  if (last - first < 6)
+    return run.line;
+  std::vector<double> x, z;
+  const auto middle = [&](int from, int to)
+  {
+    x.clear();
+    z.clear();
+    for (int i = from; i < to; ++i)
+    {
+      x.push_back(at(i).x);
+      z.push_back(at(i).z - run.line.at(at(i).x));
+    }
+    return std::make_pair(medianInPlace(x), medianInPlace(z));
+  };
+  const int third = (last - first) / 3;
+  const auto near = middle(first, first + third), far = middle(last - third, last);
   const double slope = (far.second - near.second) / (far.first - near.first);
   return Line{ run.line.height + near.second - slope * near.first, run.line.slope + slope };
 }

@@ -63,13 +63,13 @@ private:
     const std::size_t k = view_.zones.nearestSection(place.s);
     const double z = static_cast<double>(point.z);
     const std::size_t at = row * view_.scan.cells + point.cell;
-    const WeldLabel label = labelOf(k, place, z, stray);
+    const Zone zone = view_.zones.zone(k, place.q);
+    const WeldLabel label = labelOf(Spot{ k, place, z, zone, stray });
     result.labels[at] = static_cast<std::uint8_t>(label);
-    const double flush = view_.zones.flush(k, place.q);
+    const double flush = view_.zones.flush(k, place.q, zone);
     if (!std::isfinite(flush) || beyondEnds(place.s))
       return;
-    const bool weld = view_.zones.zone(k, place.q) == Zone::Weld;
-    const double target = flush + (weld ? limits_[k].rest : 0.0);
+    const double target = flush + (zone == Zone::Weld ? limits_[k].rest : 0.0);
     result.target[at] = static_cast<float>(target);
     if (label == WeldLabel::Bead || label == WeldLabel::Spatter)
       result.removal[at] = static_cast<float>(std::max(0.0, z - target));
@@ -83,26 +83,37 @@ private:
     return (view_.begins && s < places.front()) || (view_.ends && s > places.back());
   }
 
-  WeldLabel labelOf(std::size_t k, const PathPlace& place, double z, Stray stray) const
+  /// What is known of a point of the scan.
+  struct Spot
   {
-    if (stray == Stray::Foreign)
+    std::size_t k;  ///< the section nearest to it
+    PathPlace place;
+    double z;
+    Zone zone;
+    Stray stray;
+  };
+
+  WeldLabel labelOf(const Spot& spot) const
+  {
+    const std::size_t k = spot.k;
+    const PathPlace& place = spot.place;
+    if (spot.stray == Stray::Foreign)
       return WeldLabel::Unknown;
-    if (stray == Stray::Spatter)
+    if (spot.stray == Stray::Spatter)
       return WeldLabel::Spatter;
-    const Zone zone = view_.zones.zone(k, place.q);
-    if (zone == Zone::Nowhere)
+    if (spot.zone == Zone::Nowhere)
       return WeldLabel::Unknown;
     if (beyondEnds(place.s))
-      return besideEnd(k, place, z) ? WeldLabel::Base : WeldLabel::Unknown;
-    if (zone == Zone::Weld)
+      return besideEnd(k, place, spot.z) ? WeldLabel::Base : WeldLabel::Unknown;
+    if (spot.zone == Zone::Weld)
       return WeldLabel::Bead;
-    const bool left = zone == Zone::LeftParent;
+    const bool left = spot.zone == Zone::LeftParent;
     const double outside = std::abs(place.q - (left ? view_.zones.leftToe(k) : view_.zones.rightToe(k)));
     if (outside < (left ? undercut_left_[k] : undercut_right_[k]))
       return WeldLabel::Undercut;
     // rims of undercuts too shallow to be one lie near the toe
     const bool plate = outside < params_.undercut_reach ||
-                       std::abs(offParent(k, left, place.q, z)) <
+                       std::abs(offParent(k, left, place.q, spot.z)) <
                            (left ? limits_[k].left : limits_[k].right) + view_.zones.slack(place.s);
     return plate ? WeldLabel::Base : WeldLabel::Unknown;
   }

@@ -44,10 +44,11 @@ public:
   }
 
   /// Parent lines, and the chord of the toes between them; NaN where nothing is known [m].
-  double flush(std::size_t k, double q) const
+  double flush(std::size_t k, double q) const { return flush(k, q, zone(k, q)); }
+  double flush(std::size_t k, double q, Zone zone) const
   {
     const Across& across = across_[k];
-    switch (zone(k, q))
+    switch (zone)
     {
       case Zone::LeftParent:
         return across.left_parent.at(q);
