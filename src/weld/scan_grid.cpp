@@ -14,6 +14,8 @@ namespace weld
 {
 namespace
 {
+constexpr double kStandstill = 0.1;  // of the usual step: a row nearer to the one before shows the same place again
+
 double medianY(const Profile& profile)
 {
   std::vector<double> values;
@@ -70,20 +72,58 @@ double medianSpacing(const ScanGrid& grid)
   return median(std::move(steps));
 }
 
+/// The step that half of the way is gone in steps no longer than: rows at a standstill do not count.
+double usualStep(std::vector<double> steps)
+{
+  std::sort(steps.begin(), steps.end());
+  const double half = 0.5 * std::accumulate(steps.begin(), steps.end(), 0.0);
+  double gone = 0.0;
+  for (const double step : steps)
+  {
+    gone += step;
+    if (gone >= half)
+      return step;
+  }
+  return 0.0;
+}
+
+/// Fills in which rows there are, of places along the scan; NaN = a row without points.
+void chooseRows(const std::vector<double>& places, ScanGrid& grid)
+{
+  std::vector<int> order;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (std::isfinite(places[i]))
+      order.push_back(static_cast<int>(i));
+  }
+  const auto place = [&places](int row) { return places[static_cast<std::size_t>(row)]; };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < order.size(); ++i)
+    steps.push_back(place(order[i]) - place(order[i - 1]));
+  const double least = kStandstill * usualStep(std::move(steps));
+  grid.row_of.assign(places.size(), -1);
+  for (const int row : order)
+  {
+    if (grid.row_y.empty() || place(row) - grid.row_y.back() > least || least == 0.0)
+    {
+      grid.scan_row.push_back(row);
+      grid.row_y.push_back(place(row));
+    }
+    grid.row_of[static_cast<std::size_t>(row)] = static_cast<int>(grid.scan_row.size()) - 1;
+  }
+}
+
 ScanGrid build(const std::vector<const Profile*>& profiles, std::uint32_t cells)
 {
   ScanGrid grid;
   grid.cells = static_cast<int>(cells);
   grid.mirrored = xFalls(profiles);
-  std::vector<double> places(profiles.size());
-  for (std::size_t i = 0; i < profiles.size(); ++i)
-  {
-    places[i] = medianY(*profiles[i]);
-    if (std::isfinite(places[i]))
-      grid.scan_row.push_back(static_cast<int>(i));
-  }
-  const auto place = [&places](int row) { return places[static_cast<std::size_t>(row)]; };
-  std::stable_sort(grid.scan_row.begin(), grid.scan_row.end(), [&](int a, int b) { return place(a) < place(b); });
+  std::vector<double> places;
+  places.reserve(profiles.size());
+  for (const Profile* profile : profiles)
+    places.push_back(medianY(*profile));
+  chooseRows(places, grid);
   grid.rows = static_cast<int>(grid.scan_row.size());
   const std::size_t count = static_cast<std::size_t>(grid.rows) * cells;
   for (std::vector<float>* field : { &grid.x, &grid.y, &grid.z, &grid.sigma })
@@ -91,11 +131,10 @@ ScanGrid build(const std::vector<const Profile*>& profiles, std::uint32_t cells)
   std::vector<double> steps;
   for (int row = 0; row < grid.rows; ++row)
   {
-    const int from = grid.scan_row[static_cast<std::size_t>(row)];
-    grid.row_y.push_back(place(from));
+    const auto at = static_cast<std::size_t>(row);
     if (row > 0)
-      steps.push_back(grid.row_y.back() - grid.row_y[static_cast<std::size_t>(row) - 1]);
-    fillRow(*profiles[static_cast<std::size_t>(from)], row, grid);
+      steps.push_back(grid.row_y[at] - grid.row_y[at - 1]);
+    fillRow(*profiles[static_cast<std::size_t>(grid.scan_row[at])], row, grid);
   }
   grid.pitch = median(std::move(steps));
   grid.spacing = medianSpacing(grid);

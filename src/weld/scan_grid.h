@@ -14,8 +14,8 @@ namespace weld
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The measured points of a scan as arrays, rows x columns. Rows rise in y and columns in x, whichever way the stage
-/// moved and the camera looks; rows without points are left out. A hole has z NaN; points filled in across a gap are
-/// holes.
+/// moved and the camera looks. Rows without points are left out, and so are those that were seen while the stage stood
+/// still, but for the first in y. A hole has z NaN; points filled in across a gap are holes.
 struct ScanGrid
 {
   int rows = 0;
@@ -24,6 +24,7 @@ struct ScanGrid
   double spacing = kNaN;      ///< median distance of neighbouring cells' points [m]; NaN without points
   bool mirrored = false;      ///< columns are the scan's cells in reverse
   std::vector<int> scan_row;  ///< of each row, its index in the scan
+  std::vector<int> row_of;    ///< of each of the scan's rows, the row here that lies there; -1 = it has no points
   std::vector<double> row_y;  ///< of each row, median y [m]
   std::vector<float> x, y, z, sigma;
 

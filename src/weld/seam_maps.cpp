@@ -18,9 +18,6 @@ public:
             const WeldParams& params)
     : view_(view), undercut_left_(undercut_left), undercut_right_(undercut_right), params_(params)
   {
-    grid_row_.assign(view.scan.rows.size(), -1);
-    for (int row = 0; row < view.grid.rows; ++row)
-      grid_row_[static_cast<std::size_t>(view.grid.scan_row[static_cast<std::size_t>(row)])] = row;
     for (std::size_t k = 0; k < view.sections.size(); ++k)
       limits_.push_back(limitsOf(k));
   }
@@ -52,9 +49,9 @@ private:
 
   void fill(std::size_t row, const CloudPoint& point, WeldResult& result) const
   {
-    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z) || grid_row_[row] < 0)
+    if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z) || view_.grid.row_of[row] < 0)
       return;
-    const std::size_t in_grid = view_.grid.at(grid_row_[row], view_.grid.column(point.cell));
+    const std::size_t in_grid = view_.grid.at(view_.grid.row_of[row], view_.grid.column(point.cell));
     const bool measured = std::isfinite(view_.grid.z[in_grid]);
     const PathPlace place = measured ? view_.sampler.place(in_grid)
                                      : view_.path.locate(static_cast<double>(point.x), static_cast<double>(point.y),
@@ -137,7 +134,6 @@ private:
   const std::vector<double>& undercut_left_;
   const std::vector<double>& undercut_right_;
   const WeldParams& params_;
-  std::vector<int> grid_row_;   ///< of each row of the scan
   std::vector<Limits> limits_;  ///< one a section
 };
 }  // namespace

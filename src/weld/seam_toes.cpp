@@ -87,8 +87,8 @@ AlongWeld SeamSections::smoothToes(Side side)
   questions.reserve(size());
   for (const double s : places_)
     questions.push_back(ToeQuestion{ side, guess_.toe(side, s), guess_.toe(otherSide(side), s) });
-  const bool begins = size() > 0 && sampler_.rowsToEnd(profiles_.front().scan_row) > kEndRows;
-  const bool ends = size() > 0 && sampler_.rowsToEnd(profiles_.back().scan_row) > kEndRows;
+  const bool begins = size() > 0 && sampler_.rowsToEnd(profiles_.front().row) > kEndRows;
+  const bool ends = size() > 0 && sampler_.rowsToEnd(profiles_.back().row) > kEndRows;
   evenToes(ToesAlong{ side, places_, profiles_, questions, begins, ends }, params_, shapes_);
   AlongWeld raw;
   for (SectionShape& shape : shapes_)

@@ -80,6 +80,7 @@ void SectionSampler::sample(double s, const std::vector<std::uint8_t>& masked, S
 {
   profile.place = path_.at(s);
   int row = nearestRow(profile.place.y);  // where the last column crossed the plane
+  profile.row = row;
   profile.scan_row = grid_.scan_row[static_cast<std::size_t>(row)];
   profile.row_pitch = grid_.pitch * std::cos(profile.place.yaw);
   const auto cells = static_cast<std::size_t>(grid_.cells);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "scan_grid.h"
@@ -16,9 +16,9 @@ namespace weld
 struct SectionProfile
 {
   WeldPathPoint place;
-  int scan_row = 0;          ///< nearest row of the scan
-  double row_pitch = 0.0;    ///< distance of rows along the path here [m]
-  std::vector<double> q, z;  ///< [m]
+  int row = 0, scan_row = 0;  ///< nearest row of the grid, and of the scan
+  double row_pitch = 0.0;     ///< distance of rows along the path here [m]
+  std::vector<double> q, z;   ///< [m]
   /// Of each point, distances to the rows it is interpolated between, multiplied; < 0 where it is of one row alone that
   /// lies off the plane; empty = a row's own points [m^2].
   std::vector<float> between;
@@ -43,11 +43,8 @@ public:
     return PathPlace{ static_cast<double>(places_[point].q), static_cast<double>(places_[point].s) };
   }
 
-  /// Rows between one of the scan and the scan's nearer end.
-  int rowsToEnd(int scan_row) const
-  {
-    return std::min(std::abs(scan_row - grid_.scan_row.front()), std::abs(scan_row - grid_.scan_row.back()));
-  }
+  /// Rows between one of the grid and the grid's nearer end.
+  int rowsToEnd(int row) const { return std::min(row, grid_.rows - 1 - row); }
 
   /// @param masked   points to leave out, one a point of the grid; empty = none.
   /// @param profile  filled.
