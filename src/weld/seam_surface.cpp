@@ -15,8 +15,6 @@ namespace weld
 {
 namespace
 {
-constexpr double kBin = 1e-4;              // [m]
-constexpr int kOutside = 30;               // bins outside of each toe
 constexpr double kReach = 2e-3;            // sections this near make the median [m]
 constexpr std::size_t kMost = 15;          // of them at most so many, evenly chosen
 constexpr double kSigmas = 6.0;            // of a parent's noise
@@ -115,26 +113,6 @@ void SeamSurface::findKnown(const std::vector<float>& sampled)
   known_ = knownBead(sections_, levels);
 }
 
-double SeamSurface::binOf(std::size_t k, double q) const
-{
-  const double left = zones_.leftToe(k), right = zones_.rightToe(k);
-  switch (zones_.zone(k, q))
-  {
-    case Zone::LeftParent:
-      return kOutside - (left - q) / kBin;
-    case Zone::RightParent:
-    {
-      const double bin = kOutside + inside_ + (q - right) / kBin;
-      return bin < bins_ - 1 ? bin : -1.0;
-    }
-    case Zone::Weld:
-      return kOutside + inside_ * (q - left) / (right - left);
-    case Zone::Nowhere:
-      break;
-  }
-  return -1.0;
-}
-
 double SeamSurface::placeOf(std::size_t k, int bin) const
 {
   const double left = zones_.leftToe(k), right = zones_.rightToe(k);
@@ -197,21 +175,6 @@ void SeamSurface::fillMedians(const std::vector<float>& rises, double reach)
   }
 }
 
-double SeamSurface::rise(std::size_t k, double bin) const
-{
-  const auto below = static_cast<std::size_t>(bin);
-  const std::size_t at = k * static_cast<std::size_t>(bins_) + below;
-  const double share = bin - static_cast<double>(below);
-  const double first = static_cast<double>(medians_[at]);
-  return share > 0.0 ? first + share * (static_cast<double>(medians_[at + 1]) - first) : first;
-}
-
-double SeamSurface::departure(std::size_t k, double q, double z) const
-{
-  const double bin = binOf(k, q);
-  return z - zones_.flush(k, q) - (bin >= 0.0 ? rise(k, bin) : 0.0);
-}
-
 /// Whether the bead's edge may lie here or not.
 bool SeamSurface::atSwayingToe(std::size_t k, double q) const
 {
@@ -236,12 +199,12 @@ double SeamSurface::alongSlack(std::size_t k, const PathPlace& place, double bin
   return std::isfinite(slope) ? kAlong * std::max(0.0, slope - kLevel) : 0.0;
 }
 
-double SeamSurface::tolerance(std::size_t k, const PathPlace& place) const
+double SeamSurface::tolerance(std::size_t k, const PathPlace& place, const Under& under) const
 {
-  const double bin = binOf(k, place.q);
-  const double known =
-      bin >= 0.0 ? static_cast<double>(tolerances_[static_cast<std::size_t>(std::lround(bin))]) : parent_tolerance_;
-  return known + zones_.slack(place.s) + alongSlack(k, place, bin);
+  const double known = under.bin >= 0.0
+                           ? static_cast<double>(tolerances_[static_cast<std::size_t>(std::lround(under.bin))])
+                           : parent_tolerance_;
+  return known + zones_.slack(place.s) + alongSlack(k, place, under.bin);
 }
 }  // namespace weld
 }  // namespace weld_profiler

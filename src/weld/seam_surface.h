@@ -36,29 +36,68 @@ public:
   double toToe(std::size_t k, double q) const { return std::min(q - zones_.leftToe(k), zones_.rightToe(k) - q); }
   double yaw(std::size_t k) const { return sections_.profile(k).place.yaw; }
 
+  /// What of the surface lies under a place of a section.
+  struct Under
+  {
+    Zone zone;
+    double bin;    ///< position in the stack of bins: whole numbers are bins' middles; negative = beyond the stack
+    double flush;  ///< [m]
+  };
+  Under under(std::size_t k, double q) const
+  {
+    const Zone zone = zones_.zone(k, q);
+    return Under{ zone, binOf(k, q, zone), zones_.flush(k, q, zone) };
+  }
+
   /// How far z lies above the median of the neighbouring sections at this place; NaN where nothing is known [m].
-  double departure(std::size_t k, double q, double z) const;
+  double departure(std::size_t k, const Under& under, double z) const
+  {
+    return z - under.flush - (under.bin >= 0.0 ? rise(k, under.bin) : 0.0);
+  }
 
   /// Whether a place lies in a hollow of the face that is too wide to be told from the sections near it alone.
-  bool inHollow(std::size_t k, double q) const
+  bool inHollow(std::size_t k, const Under& under) const
   {
-    const double bin = hollow_.empty() ? -1.0 : binOf(k, q);
-    return bin >= 0.0 && hollow_[k * static_cast<std::size_t>(bins_) + static_cast<std::size_t>(std::lround(bin))] != 0;
+    return !hollow_.empty() && under.bin >= 0.0 &&
+           hollow_[k * static_cast<std::size_t>(bins_) + static_cast<std::size_t>(std::lround(under.bin))] != 0;
   }
 
   /// What more is let pass where the surface rises or falls along the weld, as at its ends; anything
   /// where the bead is not known [m].
-  double alongSlack(std::size_t k, const PathPlace& place) const { return alongSlack(k, place, binOf(k, place.q)); }
+  double alongSlack(std::size_t k, const PathPlace& place) const { return alongSlack(k, place, under(k, place.q).bin); }
 
   /// Departures beyond this are no part of the surface; more is let pass where no section lies [m].
-  double tolerance(std::size_t k, const PathPlace& place) const;
+  double tolerance(std::size_t k, const PathPlace& place, const Under& under) const;
 
 private:
-  /// Position in the stack of bins: whole numbers are bins' middles; negative = beyond the stack.
-  double binOf(std::size_t k, double q) const;
+  double binOf(std::size_t k, double q, Zone zone) const
+  {
+    switch (zone)
+    {
+      case Zone::LeftParent:
+        return kOutside - (zones_.leftToe(k) - q) / kBin;
+      case Zone::RightParent:
+      {
+        const double bin = kOutside + inside_ + (q - zones_.rightToe(k)) / kBin;
+        return bin < bins_ - 1 ? bin : -1.0;
+      }
+      case Zone::Weld:
+        return kOutside + inside_ * (q - zones_.leftToe(k)) / (zones_.rightToe(k) - zones_.leftToe(k));
+      case Zone::Nowhere:
+        break;
+    }
+    return -1.0;
+  }
   double placeOf(std::size_t k, int bin) const;
   double alongSlack(std::size_t k, const PathPlace& place, double bin) const;
-  double rise(std::size_t k, double bin) const;
+  double rise(std::size_t k, double bin) const
+  {
+    const auto below = static_cast<std::size_t>(bin);
+    const std::size_t at = k * static_cast<std::size_t>(bins_) + below;
+    const double share = bin - static_cast<double>(below);
+    const double first = static_cast<double>(medians_[at]);
+    return share > 0.0 ? first + share * (static_cast<double>(medians_[at + 1]) - first) : first;
+  }
   bool atSwayingToe(std::size_t k, double q) const;
   std::vector<float> prepare();
   void sampleSection(std::size_t k, const SectionProfile& profile, std::vector<float>& rises) const;
@@ -66,6 +105,9 @@ private:
   void takeOut(std::vector<float>& rises);
   void fillWithout(const std::vector<float>& clean, const std::vector<float>& all);
   void findKnown(const std::vector<float>& sampled);
+
+  static constexpr double kBin = 1e-4;  // [m]
+  static constexpr int kOutside = 30;   // bins outside of each toe
 
   const SeamSections& sections_;
   SeamZones zones_;

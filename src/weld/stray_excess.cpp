@@ -56,26 +56,32 @@ public:
 private:
   void hold(std::size_t i)
   {
-    if (!std::isfinite(grid_.z[i]))
+    const float height = grid_.z[i];
+    if (!std::isfinite(height))
       return;
+    const auto z = static_cast<double>(height);
     const PathPlace place = sampler_.place(i);
     const std::size_t k = surface_.nearestSection(place.s);
-    const double departure = surface_.departure(k, place.q, static_cast<double>(grid_.z[i]));
-    result_.on_face[i] = surface_.onFace(k, place.q) ? 1 : 0;
-    if (onFace(i))
+    const SeamSurface::Under under = surface_.under(k, place.q);
+    const double departure = surface_.departure(k, under, z);
+    const bool known = std::isfinite(departure);
+    const bool departs = known && !(std::abs(departure) < kNothing);
+    const double tolerance = departs ? surface_.tolerance(k, place, under) : kNothing;
+    // what is written last keeps what is read in registers
+    if (under.zone == Zone::Weld)
     {
-      result_.over_plate[i] = static_cast<std::int8_t>(surface_.overPlate(k, place.q, static_cast<double>(grid_.z[i])));
+      result_.on_face[i] = 1;
+      result_.over_plate[i] = static_cast<std::int8_t>(surface_.overPlate(k, place.q, z));
       result_.at_toe[i] = surface_.toToe(k, place.q) < kAtToe ? 1 : 0;
     }
-    if (!std::isfinite(departure))
+    if (!known)
       return;
     result_.height[i] = static_cast<float>(departure);
-    const double tolerance = std::abs(departure) < kNothing ? kNothing : surface_.tolerance(k, place);
     result_.known[i] = std::isfinite(tolerance) ? 1 : 0;
-    if (std::abs(departure) >= kNothing)
+    if (departs)
       result_.tolerances[i] = static_cast<float>(departure / tolerance);
-    const bool taken_out = (!without_.empty() && without_[i] != 0) || surface_.inHollow(k, place.q);
-    of_face_[i] = onFace(i) && !taken_out && mayBeRipple(i) ? 1 : 0;
+    const bool taken_out = (!without_.empty() && without_[i] != 0) || surface_.inHollow(k, under);
+    of_face_[i] = under.zone == Zone::Weld && !taken_out && mayBeRipple(i) ? 1 : 0;
   }
 
   bool mayBeRipple(std::size_t i) const
