@@ -72,7 +72,32 @@ bool showsFace(const ScanGrid& grid, int row, int column, const std::vector<std:
   }
   return false;
 }
+
+/// Of places that follow one another from a point on, those up to the next that was measured.
+std::size_t missingBeside(const ScanGrid& grid, std::size_t point, int step)
+{
+  const int row = static_cast<int>(point / static_cast<std::size_t>(grid.cells));
+  const int from = static_cast<int>(point % static_cast<std::size_t>(grid.cells)) + step;
+  int column = from;
+  while (column >= 0 && column < grid.cells && !std::isfinite(grid.z[grid.at(row, column)]))
+    column += step;
+  return static_cast<std::size_t>(std::abs(column - from));
+}
 }  // namespace
+
+std::size_t hiddenBeside(const ScanGrid& grid, const std::vector<std::size_t>& pit)
+{
+  std::size_t hidden = 0;
+  for (const std::size_t i : pit)
+  {
+    for (const int step : { -1, 1 })
+    {
+      const std::size_t missing = missingBeside(grid, i, step);
+      hidden += static_cast<double>(missing) * grid.spacing > kWide ? missing : 0;
+    }
+  }
+  return hidden;
+}
 
 double faceAround(const ScanGrid& grid, const std::vector<std::size_t>& pit, const std::vector<std::uint8_t>& face)
 {
@@ -90,6 +115,17 @@ double faceAround(const ScanGrid& grid, const std::vector<std::size_t>& pit, con
     }
   }
   return all > 0 ? static_cast<double>(shown) / static_cast<double>(all) : 0.0;
+}
+
+void maskAround(const ScanGrid& grid, std::size_t point, double reach, std::vector<std::uint8_t>& masked)
+{
+  const int row = static_cast<int>(point / static_cast<std::size_t>(grid.cells));
+  const int column = static_cast<int>(point % static_cast<std::size_t>(grid.cells));
+  const int columns = static_cast<int>(std::ceil(reach / grid.spacing));
+  const int rows = grid.pitch > 0.0 ? static_cast<int>(std::lround(reach / grid.pitch)) : 0;
+  for (int r = std::max(0, row - rows); r <= std::min(grid.rows - 1, row + rows); ++r)
+    for (int c = std::max(0, column - columns); c <= std::min(grid.cells - 1, column + columns); ++c)
+      masked[grid.at(r, c)] = 1;
 }
 }  // namespace weld
 }  // namespace weld_profiler

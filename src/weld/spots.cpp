@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bead_ends.h"
 #include "pit_rim.h"
 #include "stray_excess.h"
 
@@ -30,8 +31,12 @@ constexpr double kUnseen = 0.5;
 class StraySearch
 {
 public:
-  StraySearch(const ScanGrid& grid, const SectionSampler& sampler, StrayExcess found)
-    : grid_(grid), sampler_(sampler), found_(std::move(found)), excess_(found_.tolerances)
+  StraySearch(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface, StrayExcess found)
+    : grid_(grid),
+      sampler_(sampler),
+      found_(std::move(found)),
+      excess_(found_.tolerances),
+      ends_(grid, sampler, surface, found_)
   {
   }
 
@@ -152,11 +157,13 @@ private:
     // what lies below a plate is no pore of the weld
     const bool foreign = (pit && !found.on_face) || found.extent > kWidest;
     const Stray kind = foreign ? Stray::Foreign : pit ? Stray::Pore : Stray::Spatter;
+    if (kind == Stray::Spatter && ends_.make(found.points, kClear))
+      return;
     const double rim = kRim + (kind == Stray::Pore ? found.hidden : 0.0);
     for (const std::size_t i : found.points)
     {
       strays.kind[i] = kind;
-      maskAround(i, rim, strays.masked);
+      maskAround(grid_, i, rim, strays.masked);
     }
     if (kind == Stray::Spatter)
     {
@@ -174,7 +181,7 @@ private:
 
   void addHollow(const Found& pit, Strays& strays) const
   {
-    if (isFlank(pit))
+    if (isFlank(pit) || ends_.make(pit.points, kClear))
       return;
     WeldSpot spot = pit.spot;
     spot.diameter.sigma = std::hypot(spot.diameter.sigma, kUnseen * spot.diameter.value);
@@ -190,14 +197,15 @@ private:
     for (std::size_t i = 0; i < face.size(); ++i)
     {
       if (strays.kind[i] == Stray::Spatter)
-        maskAround(i, kRim, ball);
+        maskAround(grid_, i, kRim, ball);
     }
     for (std::size_t i = 0; i < face.size(); ++i)
       face[i] = face[i] != 0 && strays.kind[i] == Stray::None && ball[i] == 0 ? 1 : 0;
     for (const Found& pit : pits_)
     {
       const bool shallow = -pit.spot.height.value < kDeepest * pit.spot.diameter.value;
-      if (shallow && faceAround(grid_, pit.points, face) >= kRimSeen)
+      const bool seen = hiddenBeside(grid_, pit.points) <= pit.points.size();
+      if (shallow && seen && !ends_.reachedBy(pit.points) && faceAround(grid_, pit.points, face) >= kRimSeen)
         strays.spots.push_back(pit.spot);
       else
       {
@@ -221,21 +229,11 @@ private:
     }
   }
 
-  void maskAround(std::size_t point, double rim, std::vector<std::uint8_t>& masked) const
-  {
-    const int row = static_cast<int>(point / static_cast<std::size_t>(grid_.cells));
-    const int column = static_cast<int>(point % static_cast<std::size_t>(grid_.cells));
-    const int columns = static_cast<int>(std::ceil(rim / grid_.spacing));
-    const int rows = grid_.pitch > 0.0 ? static_cast<int>(std::lround(rim / grid_.pitch)) : 0;
-    for (int r = std::max(0, row - rows); r <= std::min(grid_.rows - 1, row + rows); ++r)
-      for (int c = std::max(0, column - columns); c <= std::min(grid_.cells - 1, column + columns); ++c)
-        masked[grid_.at(r, c)] = 1;
-  }
-
   const ScanGrid& grid_;
   const SectionSampler& sampler_;
   const StrayExcess found_;
   const std::vector<float>& excess_;  ///< departure over tolerance
+  const BeadEnds ends_;
   std::vector<Found> pits_;
   std::vector<std::uint8_t> seen_;
 };
@@ -244,7 +242,7 @@ private:
 Strays findStrays(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface,
                   const std::vector<std::uint8_t>& without)
 {
-  return StraySearch(grid, sampler, strayExcess(grid, sampler, surface, without))(without);
+  return StraySearch(grid, sampler, surface, strayExcess(grid, sampler, surface, without))(without);
 }
 }  // namespace weld
 }  // namespace weld_profiler
