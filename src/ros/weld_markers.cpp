@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <regex>
 
 #include "marker_shapes.h"
 
@@ -16,12 +17,12 @@ constexpr double kLift = 4e-4;     // lines lie over the points, not among them 
 constexpr double kToeLine = 8e-4;  // [m]
 constexpr double kSpot = 8e-4;     // [m]
 
-/// Told apart by brightness as well.
-Colour colourOf(const std::string& verdict)
+/// Told apart by brightness as well. @param part  of the limits alone were judged: no level is met for that.
+Colour colourOf(const std::string& verdict, bool part)
 {
-  if (verdict == "B")
+  if (verdict == "B" && !part)
     return { 0.1F, 0.6F, 0.2F };
-  if (verdict == "C" || verdict == "D")
+  if ((verdict == "C" || verdict == "D") && !part)
     return { 0.7F, 0.95F, 0.3F };
   if (verdict == "fail")
     return { 0.6F, 0.0F, 0.0F };
@@ -42,6 +43,7 @@ Marker toeLine(const WeldEvaluation& evaluation, SectionPoint WeldSection::*toe,
   Marker line = marker(header, space, 0, Marker::LINE_LIST);
   line.scale.x = kToeLine;
   const std::vector<WeldSection>& sections = evaluation.result.sections;
+  const bool part = !evaluation.verdict.lacks_thickness.empty();
   for (std::size_t i = 1; i < sections.size(); ++i)
   {
     const Eigen::Vector3d before = placeOf(sections[i - 1].*toe), here = placeOf(sections[i].*toe);
@@ -49,7 +51,7 @@ Marker toeLine(const WeldEvaluation& evaluation, SectionPoint WeldSection::*toe,
       continue;
     const bool judged = i < evaluation.section_verdicts.size();
     Marker colour;
-    paint(colour, colourOf(judged ? evaluation.section_verdicts[i].verdict : ""));
+    paint(colour, colourOf(judged ? evaluation.section_verdicts[i].verdict : "", part));
     for (const Eigen::Vector3d& end : { before, here })
     {
       line.points.push_back(pointOf(end));
@@ -75,11 +77,11 @@ Marker verdictText(const WeldEvaluation& evaluation, const WeldSection& middle, 
   const WeldVerdict& verdict = evaluation.verdict;
   Eigen::Vector3d above = 0.5 * (placeOf(middle.toe_left) + placeOf(middle.toe_right));
   above.z() += marker_size::kAbove + 0.6 * marker_size::kDrawing;
-  Marker words = text(header, 0, above,
-                      std::string(name(evaluation.result.kind)) + ": " +
-                          (verdict.verdict.empty() ? std::string("not judged") : verdict.verdict) +
-                          (verdict.unverified ? " (limits not verified)" : ""));
-  return words;
+  std::string words = std::string(name(evaluation.result.kind)) + ": " + verdict.headline() +
+                      (verdict.unverified ? " (limits not verified)" : "");
+  if (!verdict.lacks_thickness.empty())  // a long line would leave the picture
+    words += "\n" + std::regex_replace(verdict.lacking(), std::regex(": "), ":\n");
+  return text(header, 0, above, words);
 }
 }  // namespace
 

@@ -206,6 +206,28 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
   EXPECT_TRUE(std::filesystem::exists(welds / "seam-12" / "notes.txt"));
 }
 
+TEST(WeldNodelet, WithoutAThicknessAnActionTellsThatNotAllWasJudged)
+{
+  WeldChain chain("/weld_part");
+  chain.manager.set("triangulation", "auto_start", false);
+  chain.loadAll();
+  Client client(chain.manager.topic("scan_weld"), true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(10.0)));
+  ScanWeldGoal goal;
+  goal.level = "D";
+  client.sendGoal(goal);
+  ASSERT_TRUE(waitFor([&] { return client.getState() == actionlib::SimpleClientGoalState::ACTIVE; }));
+  ros::WallDuration(0.5).sleep();
+  chain.feedAll();
+  ASSERT_TRUE(client.waitForResult(ros::Duration(30.0)));
+  const ScanWeldResult& result = *client.getResult();
+  EXPECT_NE(result.message.find("not fully judged, "), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("no plate thickness given, not judged: undercut"), std::string::npos);
+  EXPECT_FALSE(result.success) << "nobody knows whether level D is met";
+  EXPECT_EQ(result.summary.lacks_thickness,
+            (std::vector<std::string>{ "undercut", "misalignment", "incomplete_fill", "surface_pore" }));
+}
+
 TEST(WeldNodelet, ABadGoalIsRefusedByName)
 {
   WeldChain chain("/weld_goal");
