@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <regex>
 
 #include "marker_shapes.h"
 
@@ -16,6 +15,8 @@ using visualization_msgs::MarkerArray;
 constexpr double kLift = 4e-4;     // lines lie over the points, not among them [m]
 constexpr double kToeLine = 8e-4;  // [m]
 constexpr double kSpot = 8e-4;     // [m]
+constexpr double kLine = 1.3;      // from line to line, in letters' heights
+constexpr double kSmall = 0.55;    // letters of what stands below
 
 /// Told apart by brightness as well. @param part  of the limits alone were judged: no level is met for that.
 Colour colourOf(const std::string& verdict, bool part)
@@ -71,17 +72,23 @@ Marker spotsOf(const WeldResult& result, const std_msgs::Header& header)
   return spots;
 }
 
-/// Kind and verdict, above the drawing of the middle section.
-Marker verdictText(const WeldEvaluation& evaluation, const WeldSection& middle, const std_msgs::Header& header)
+/// Kind and verdict, above the drawing of the middle section, and below them what was not judged: a marker a line, for
+/// rviz sets lines of one marker far apart.
+std::vector<Marker> verdictTexts(const WeldEvaluation& evaluation, const WeldSection& middle,
+                                 const std_msgs::Header& header)
 {
   const WeldVerdict& verdict = evaluation.verdict;
   Eigen::Vector3d above = 0.5 * (placeOf(middle.toe_left) + placeOf(middle.toe_right));
   above.z() += marker_size::kAbove + 0.6 * marker_size::kDrawing;
-  std::string words = std::string(name(evaluation.result.kind)) + ": " + verdict.headline() +
-                      (verdict.unverified ? " (limits not verified)" : "");
-  if (!verdict.lacks_thickness.empty())  // a long line would leave the picture
-    words += "\n" + std::regex_replace(verdict.lacking(), std::regex(": "), ":\n");
-  return text(header, 0, above, words);
+  std::vector<Marker> lines = { text(header, 0, above,
+                                     std::string(name(evaluation.result.kind)) + ": " + verdict.headline() +
+                                         (verdict.unverified ? " (limits not verified)" : "")) };
+  if (verdict.lacks_thickness.empty())
+    return lines;
+  lines.front().pose.position.z += kLine * marker_size::kText;
+  lines.push_back(text(header, 1, above, verdict.lacking()));
+  lines.back().scale.z = kSmall * marker_size::kText;
+  return lines;
 }
 }  // namespace
 
@@ -109,7 +116,8 @@ MarkerArray weldMarkers(const WeldEvaluation& evaluation, const std_msgs::Header
                                               spotsOf(evaluation.result, header) })
     if (!drawn.points.empty())
       all.markers.push_back(drawn);
-  all.markers.push_back(verdictText(evaluation, *middle, header));
+  for (const Marker& line : verdictTexts(evaluation, *middle, header))
+    all.markers.push_back(line);
   return all;
 }
 }  // namespace weld_profiler
