@@ -83,8 +83,9 @@ std::string leftBehind(std::size_t scans, const WeldTask& task)
     else if (remedy.empty())
       remedy = " (weld_report.py " + folder.string() + " draws it)";
   }
-  return "what is in " + task.directory + " stays and is whole" + (missing.empty() ? ", nothing is missing" : missing) +
-         remedy;
+  if (missing.empty())
+    return "but everything was written before it ended: nothing is missing in " + task.directory;
+  return "what is in " + task.directory + " stays and is whole" + missing + remedy;
 }
 
 void measureWeld(const Scan& scan, const WeldTask& task, const std::string& directory, const std::string& name)
