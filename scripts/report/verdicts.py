@@ -36,9 +36,12 @@ def _failed(folder, level):
     return ", ".join(names)
 
 
-def without_thickness(folder):
-    """No plate thickness was given: undercut, misalignment, ... are not judged, so that no level is met as a whole."""
-    return not math.isfinite(folder.record.record("verdict").number("thickness"))
+def judged_in_part(folder):
+    """Limits that need the plate's thickness were not judged for want of it, so that no level is met as a whole."""
+    verdict = folder.record.record("verdict")
+    if "lacks_thickness" not in verdict.keys():  # of an earlier version, which judged after the built-in table
+        return not math.isfinite(verdict.number("thickness"))
+    return bool(verdict.texts("lacks_thickness"))
 
 
 def _judged(folder):
@@ -83,14 +86,14 @@ class Verdict:
                 "undecided": self._open(folder, asked in LEVELS and decision in ("pass", "fail")),
                 "": "Nothing was measured that decides, or nothing is judged."}
         self.mark = {"fail": "FAILS", "undecided": "UNDECIDED", "": "NOT JUDGED"}.get(overall, "LEVEL " + overall)
-        part = overall in LEVELS and without_thickness(folder)
+        part = judged_in_part(folder)
         met = "Level %s is the best level met" % overall
         self.why = [best.get(overall, "%s by what was judged, which is only: %s." % (met, _judged(folder) or "not told")
                              if part else met + ".")]
         if asked and decision in ("pass", "fail", "undecided"):
             self.mark = "LEVEL %s %s" % (asked, {"pass": "MET", "fail": "NOT MET", "undecided": "UNDECIDED"}[decision])
             self.kind = {"pass": "level"}.get(decision, decision)
-        if self.kind == "level" and part:
+        if part and (self.kind == "level" or self.levels.get(asked) == "pass"):
             self.kind, self.mark = "none", "NOT FULLY JUDGED"
         if asked:
             because = _failed(folder, asked) if fails else ""

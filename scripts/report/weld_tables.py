@@ -5,7 +5,7 @@ import numpy as np
 
 from report import html, numbers
 from report.numbers import NONE, at, fixed, with_uncertainty
-from report.verdicts import UNVERIFIED, without_thickness
+from report.verdicts import UNVERIFIED, judged_in_part
 
 SECTION_VALUES = (
     ("width_mm", "width b", "mm"), ("reinforcement_mm", "reinforcement h", "mm"), ("height_left_mm", "above the left plate", "mm"),
@@ -125,7 +125,7 @@ def section_verdict(folder, index):
     word = folder.sections.texts("verdict")[index]
     if not word:
         return "not judged"
-    met = "level %s" % word + (" by what was judged" if without_thickness(folder) else "")
+    met = "level %s" % word + (" by what was judged" if judged_in_part(folder) else "")
     text = {"fail": "fails", "undecided": "undecided"}.get(word, met)
     return text + (" (%s)" % UNVERIFIED if folder.sections.texts("verdict_source")[index] == "unverified" else "")
 

@@ -167,10 +167,9 @@ void WeldAction::finish(const WeldOrder& order, const WeldOutcome& outcome)
   result.summary = outcome.summary;
   result.files = outcome.files;
   const bool weld = outcome.summary.kind != name(WeldKind::None);
-  const bool level = order.settings.judging.level.empty() || outcome.asked == Decision::Pass;
+  const bool level = order.settings.judging.level.empty() || outcome.verdict.asked == Decision::Pass;
   result.success = weld && level && outcome.trouble.empty();
-  result.message = outcome.summary.kind + (outcome.summary.verdict.empty() ? "" : ", " + outcome.summary.verdict) +
-                   (outcome.summary.unverified ? " (limits not verified)" : "") +
+  result.message = outcome.summary.kind + (weld ? ", " + outcome.verdict.text() : "") +
                    (outcome.summary.reason.empty() ? "" : ": " + outcome.summary.reason) +
                    (outcome.trouble.empty() ? "" : "; " + outcome.trouble);
   action_.setSucceeded(result, result.message);

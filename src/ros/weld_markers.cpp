@@ -15,13 +15,15 @@ using visualization_msgs::MarkerArray;
 constexpr double kLift = 4e-4;     // lines lie over the points, not among them [m]
 constexpr double kToeLine = 8e-4;  // [m]
 constexpr double kSpot = 8e-4;     // [m]
+constexpr double kLine = 1.3;      // from line to line, in letters' heights
+constexpr double kSmall = 0.55;    // letters of what stands below
 
-/// Told apart by brightness as well.
-Colour colourOf(const std::string& verdict)
+/// Told apart by brightness as well. @param part  of the limits alone were judged: no level is met for that.
+Colour colourOf(const std::string& verdict, bool part)
 {
-  if (verdict == "B")
+  if (verdict == "B" && !part)
     return { 0.1F, 0.6F, 0.2F };
-  if (verdict == "C" || verdict == "D")
+  if ((verdict == "C" || verdict == "D") && !part)
     return { 0.7F, 0.95F, 0.3F };
   if (verdict == "fail")
     return { 0.6F, 0.0F, 0.0F };
@@ -42,6 +44,7 @@ Marker toeLine(const WeldEvaluation& evaluation, SectionPoint WeldSection::*toe,
   Marker line = marker(header, space, 0, Marker::LINE_LIST);
   line.scale.x = kToeLine;
   const std::vector<WeldSection>& sections = evaluation.result.sections;
+  const bool part = !evaluation.verdict.lacks_thickness.empty();
   for (std::size_t i = 1; i < sections.size(); ++i)
   {
     const Eigen::Vector3d before = placeOf(sections[i - 1].*toe), here = placeOf(sections[i].*toe);
@@ -49,7 +52,7 @@ Marker toeLine(const WeldEvaluation& evaluation, SectionPoint WeldSection::*toe,
       continue;
     const bool judged = i < evaluation.section_verdicts.size();
     Marker colour;
-    paint(colour, colourOf(judged ? evaluation.section_verdicts[i].verdict : ""));
+    paint(colour, colourOf(judged ? evaluation.section_verdicts[i].verdict : "", part));
     for (const Eigen::Vector3d& end : { before, here })
     {
       line.points.push_back(pointOf(end));
@@ -69,17 +72,23 @@ Marker spotsOf(const WeldResult& result, const std_msgs::Header& header)
   return spots;
 }
 
-/// Kind and verdict, above the drawing of the middle section.
-Marker verdictText(const WeldEvaluation& evaluation, const WeldSection& middle, const std_msgs::Header& header)
+/// Kind and verdict, above the drawing of the middle section, and below them what was not judged: a marker a line, for
+/// rviz sets lines of one marker far apart.
+std::vector<Marker> verdictTexts(const WeldEvaluation& evaluation, const WeldSection& middle,
+                                 const std_msgs::Header& header)
 {
   const WeldVerdict& verdict = evaluation.verdict;
   Eigen::Vector3d above = 0.5 * (placeOf(middle.toe_left) + placeOf(middle.toe_right));
   above.z() += marker_size::kAbove + 0.6 * marker_size::kDrawing;
-  Marker words = text(header, 0, above,
-                      std::string(name(evaluation.result.kind)) + ": " +
-                          (verdict.verdict.empty() ? std::string("not judged") : verdict.verdict) +
-                          (verdict.unverified ? " (limits not verified)" : ""));
-  return words;
+  std::vector<Marker> lines = { text(header, 0, above,
+                                     std::string(name(evaluation.result.kind)) + ": " + verdict.headline() +
+                                         (verdict.unverified ? " (limits not verified)" : "")) };
+  if (verdict.lacks_thickness.empty())
+    return lines;
+  lines.front().pose.position.z += kLine * marker_size::kText;
+  lines.push_back(text(header, 1, above, verdict.lacking()));
+  lines.back().scale.z = kSmall * marker_size::kText;
+  return lines;
 }
 }  // namespace
 
@@ -107,7 +116,8 @@ MarkerArray weldMarkers(const WeldEvaluation& evaluation, const std_msgs::Header
                                               spotsOf(evaluation.result, header) })
     if (!drawn.points.empty())
       all.markers.push_back(drawn);
-  all.markers.push_back(verdictText(evaluation, *middle, header));
+  for (const Marker& line : verdictTexts(evaluation, *middle, header))
+    all.markers.push_back(line);
   return all;
 }
 }  // namespace weld_profiler

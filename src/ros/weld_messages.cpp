@@ -164,6 +164,7 @@ WeldMeasurement measurementMessage(const WeldEvaluation& evaluation)
   message.unverified = evaluation.verdict.unverified;
   for (const VerdictRow& row : evaluation.verdict.rows)
     message.verdict_lines.push_back(lineMessage(row));
+  message.lacks_thickness = evaluation.verdict.lacks_thickness;
   message.notes = evaluation.verdict.notes;
   return message;
 }

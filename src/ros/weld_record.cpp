@@ -111,6 +111,7 @@ JsonObject verdictOf(const WeldEvaluation& evaluation, const WeldSettings& setti
       .add("levels", levels)
       .add("waits_for", verdict.waits_for)
       .add("sections_waiting", waiting)
+      .add("lacks_thickness", verdict.lacks_thickness)
       .add("notes", verdict.notes)
       .add("limits", settings.judging.limits_file.empty() ? "ISO 5817, built in" : settings.judging.limits_file)
       .add("height_limits", heightLimitsOf(evaluation, settings.judging))

@@ -178,7 +178,7 @@ WeldOutcome WeldServer::evaluate(const Job& job, const sensor_msgs::PointCloud2&
   const Scan scan = scanFromCloud(cloud);
   const WeldEvaluation evaluation = job.order.evaluator->evaluate(scan);
   WeldOutcome outcome;
-  outcome.asked = evaluation.verdict.asked;
+  outcome.verdict = evaluation.verdict;
   outcome.summary = measurementMessage(evaluation);
   outcome.summary.header = cloud.header;
   outcome.summary.weld_id = job.order.weld_id;

@@ -42,20 +42,17 @@ std::string others(const WeldResult& result)
 }
 
 /// One line: kind, verdict, what a reader must know.
-/// @param whole  with a plate thickness: without it only what needs none is judged.
-std::string outcome(const WeldEvaluation& evaluation, bool whole)
+std::string outcome(const WeldEvaluation& evaluation)
 {
   const WeldResult& result = evaluation.result;
   if (!result.hasWeld())
     return "no weld: " + result.reason;
-  std::string text = measured(result) + ", verdict " +
-                     (evaluation.verdict.verdict.empty() ? std::string("none") : evaluation.verdict.verdict);
-  if ((evaluation.verdict.verdict.empty() || !whole) && !evaluation.verdict.notes.empty())
-    text += " (" + evaluation.verdict.notes.front() + ")";
-  if (evaluation.verdict.unverified)
-    text += " (rests on limits that were not verified)";
-  if (evaluation.verdict.waiting.sections > 0)
-    text += "; " + evaluation.verdict.waiting.text();
+  const WeldVerdict& verdict = evaluation.verdict;
+  std::string text = measured(result) + ", verdict: " + verdict.text();
+  if (verdict.verdict.empty() && verdict.lacks_thickness.empty() && !verdict.notes.empty())
+    text += " (" + verdict.notes.front() + ")";
+  if (verdict.waiting.sections > 0)
+    text += "; " + verdict.waiting.text();
   if (!evaluation.plan.reason.empty())
     text += "; grinding: " + evaluation.plan.reason;
   return text + others(result) + (result.reason.empty() ? "" : "; " + result.reason);
@@ -86,8 +83,9 @@ std::string leftBehind(std::size_t scans, const WeldTask& task)
     else if (remedy.empty())
       remedy = " (weld_report.py " + folder.string() + " draws it)";
   }
-  return "what is in " + task.directory + " stays and is whole" + (missing.empty() ? ", nothing is missing" : missing) +
-         remedy;
+  if (missing.empty())
+    return "but everything was written before it ended: nothing is missing in " + task.directory;
+  return "what is in " + task.directory + " stays and is whole" + missing + remedy;
 }
 
 void measureWeld(const Scan& scan, const WeldTask& task, const std::string& directory, const std::string& name)
@@ -99,8 +97,7 @@ void measureWeld(const Scan& scan, const WeldTask& task, const std::string& dire
   if (task.report)
     runInterruptible([&] { writeReport(directory); });
   throwIfInterrupted();
-  std::cerr << name << "in " << directory << ": "
-            << outcome(evaluation, task.evaluator.settings().judging.thickness.has_value()) << "\n";
+  std::cerr << name << "in " << directory << ": " << outcome(evaluation) << "\n";
 }
 }  // namespace
 

@@ -34,6 +34,11 @@ bool inRange(const LimitEntry& entry, const std::optional<double>& t)
     return entry.any_thickness;
   return *t > entry.above + kThicknessStep && *t >= entry.from - kThicknessStep && *t <= entry.to + kThicknessStep;
 }
+
+bool isOf(const LimitEntry& entry, WeldKind kind)
+{
+  return std::find(entry.kinds.begin(), entry.kinds.end(), kind) != entry.kinds.end();
+}
 }  // namespace
 
 const char* name(QualityLevel level)
@@ -92,11 +97,23 @@ const LimitEntry* Limits::find(Imperfection imperfection, WeldKind kind, std::op
     return nullptr;
   for (const LimitEntry& entry : entries_)
   {
-    const bool of_kind = std::find(entry.kinds.begin(), entry.kinds.end(), kind) != entry.kinds.end();
-    if (entry.imperfection == imperfection && of_kind && inRange(entry, t) && (t || !entry.needs('t')) &&
+    if (entry.imperfection == imperfection && isOf(entry, kind) && inRange(entry, t) && (t || !entry.needs('t')) &&
         (s || !entry.needs('s')))
       return &entry;
   }
   return nullptr;
+}
+
+bool Limits::lacksThickness(Imperfection imperfection, WeldKind kind, std::optional<double> s) const
+{
+  return find(imperfection, kind, std::nullopt, s) == nullptr &&
+         std::any_of(entries_.begin(), entries_.end(),
+                     [=](const LimitEntry& entry)
+                     {
+                       return entry.imperfection == imperfection && isOf(entry, kind) &&
+                              std::any_of(entry.levels.begin(), entry.levels.end(),
+                                          [](const LevelLimit& limit)
+                                          { return limit.rule != LevelLimit::Rule::Permitted; });
+                     });
 }
 }  // namespace weld_profiler

@@ -69,8 +69,8 @@ void noteThickness(const WeldJudge& judge, std::vector<std::string>& notes)
   const std::optional<double>& t = judge.params().thickness;
   std::ostringstream text;
   if (!t)
-    text << "no plate thickness given: what is limited by it is measured, not judged";
-  else if (*t < judge.limits().leastThickness() - 1e-9)
+    return;  // WeldVerdict::lacking()
+  if (*t < judge.limits().leastThickness() - 1e-9)
     text << "thickness " << *t * kMmPerMetre << " mm is below the scope of " << judge.limits().standard() << " ("
          << judge.limits().leastThickness() * kMmPerMetre << " mm): measured, not judged";
   else if (*t > kThickest)
@@ -151,8 +151,45 @@ void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, Wel
     if (judge.params().level == name(level))
       verdict.asked = together.levels[static_cast<std::size_t>(level)];
   }
+  if (verdict.asked == Decision::Pass && !verdict.lacks_thickness.empty())
+    verdict.asked = Decision::NotJudged;  // what was not judged may fail it
+}
+
+/// What the table limits in welds of this kind and cannot for want of the plate's thickness.
+std::vector<std::string> lackingThickness(const WeldJudge& judge, const WeldToJudge& weld)
+{
+  std::vector<std::string> names;
+  for (const Imperfection imperfection : imperfections())
+  {
+    const bool looked_at = imperfection == Imperfection::SurfacePore
+                               ? weld.spots != nullptr
+                               : imperfection != Imperfection::ToeAngle || judge.params().judge_toe_angle;
+    if (looked_at && !judge.params().thickness &&
+        judge.limits().lacksThickness(imperfection, weld.kind, judge.params().nominal_thickness))
+      names.push_back(name(imperfection));
+  }
+  return names;
 }
 }  // namespace
+
+std::string WeldVerdict::headline() const
+{
+  if (verdict.empty())
+    return "not judged";
+  const bool met = verdict != "fail" && verdict != "undecided";
+  return met && !lacks_thickness.empty() ? "not fully judged, " + verdict + " by what was judged" : verdict;
+}
+
+std::string WeldVerdict::lacking() const
+{
+  return lacks_thickness.empty() ? "" : "no plate thickness given, not judged: " + listOf(lacks_thickness);
+}
+
+std::string WeldVerdict::text() const
+{
+  return headline() + (lacks_thickness.empty() ? "" : " (" + lacking() + ")") +
+         (unverified ? " (limits not verified)" : "");
+}
 
 std::string WaitingSections::text() const
 {
@@ -190,8 +227,11 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
     addPart(made, decidesSections(imperfection, params_.judge_toe_angle), parts);
     result.rows.insert(result.rows.end(), made.begin(), made.end());
   }
+  result.lacks_thickness = lackingThickness(*this, weld);
   conclude(*this, parts, result);
   result.waiting = waitingOf(*this, weld.kind, sections);
+  if (!result.lacks_thickness.empty())
+    result.notes.push_back(result.lacking());
   noteThickness(*this, result.notes);
   noteLength(result, result.notes);
   noteRows(*this, rows, result, result.notes);

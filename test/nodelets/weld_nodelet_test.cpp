@@ -11,7 +11,7 @@
 #include <std_srvs/Trigger.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "support/chain_under_test.h"
+#include "nodelets/weld_chain.h"
 #include "support/collector.h"
 #include "weld_profiler/GrindingPasses.h"
 #include "weld_profiler/ScanWeldAction.h"
@@ -21,40 +21,7 @@ namespace weld_profiler
 {
 namespace
 {
-constexpr int kFrames = 60;
 using Client = actionlib::SimpleActionClient<ScanWeldAction>;
-
-/// 15 mm of the weld's middle.
-SceneParams weldScene(double yaw)
-{
-  SceneParams scene = smallScene(kFrames);
-  scene.part_start = 0.018;
-  scene.plates.misalignment = 0.0003;
-  scene.weld.yaw_deg = yaw * 180.0 / M_PI;
-  return scene;
-}
-
-struct WeldChain : Chain
-{
-  explicit WeldChain(const std::string& name, double yaw = 0.0) : Chain(name, weldScene(yaw))
-  {
-    manager.set("weld_measurement", "report", false);
-    manager.set("weld_measurement", "output", folder.file("welds"));
-    manager.set("weld_measurement", "rest_time", 0.5);
-  }
-
-  void loadAll()
-  {
-    load();
-    ASSERT_TRUE(manager.load("weld_measurement"));
-  }
-
-  void feedAll()
-  {
-    for (int frame = 0; frame < kFrames; ++frame)
-      feed.publishFrame(frame);
-  }
-};
 
 std::size_t fieldCount(const sensor_msgs::PointCloud2& cloud, const std::string& name)
 {
@@ -166,6 +133,25 @@ TEST(WeldNodelet, GivesNothingToTheGrinderInAFrameThatIsNotThere)
   EXPECT_EQ(points.size(), 0U);
 }
 
+/// What the action says of the chain's weld. @param profiles  the most that its feedback told, if asked for.
+ScanWeldResult scannedWeld(WeldChain& chain, const ScanWeldGoal& goal, std::uint32_t* profiles = nullptr)
+{
+  Client client(chain.manager.topic("scan_weld"), true);
+  EXPECT_TRUE(client.waitForServer(ros::Duration(10.0)));
+  client.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                  [&](const ScanWeldFeedbackConstPtr& feedback)
+                  {
+                    if (profiles != nullptr)
+                      *profiles = std::max(*profiles, feedback->profiles);
+                  });
+  EXPECT_TRUE(waitFor([&] { return client.getState() == actionlib::SimpleClientGoalState::ACTIVE; }));
+  ros::WallDuration(0.5).sleep();
+  chain.feedAll();
+  EXPECT_TRUE(client.waitForResult(ros::Duration(30.0)));
+  EXPECT_EQ(client.getState().toString(), "SUCCEEDED");
+  return client.getResult() ? *client.getResult() : ScanWeldResult();
+}
+
 TEST(WeldNodelet, AScanIsAskedForByAnAction)
 {
   WeldChain chain("/weld_action");
@@ -176,20 +162,11 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
   for (const char* name : { "scan.pcd", "scan.ply", "summary.json", "notes.txt", "scan_2/weld.json" })
     std::ofstream(welds / "seam-12" / name) << "of an earlier scan";
   chain.loadAll();
-  Client client(chain.manager.topic("scan_weld"), true);
-  ASSERT_TRUE(client.waitForServer(ros::Duration(10.0)));
   ScanWeldGoal goal;
   goal.weld_id = "seam-12";
   goal.thickness = 0.008;
   std::uint32_t profiles = 0;
-  client.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
-                  [&](const ScanWeldFeedbackConstPtr& feedback) { profiles = std::max(profiles, feedback->profiles); });
-  ASSERT_TRUE(waitFor([&] { return client.getState() == actionlib::SimpleClientGoalState::ACTIVE; }));
-  ros::WallDuration(0.5).sleep();
-  chain.feedAll();
-  ASSERT_TRUE(client.waitForResult(ros::Duration(30.0)));
-  ASSERT_EQ(client.getState().toString(), "SUCCEEDED") << client.getResult()->message;
-  const ScanWeldResult& result = *client.getResult();
+  const ScanWeldResult result = scannedWeld(chain, goal, &profiles);
   EXPECT_EQ(result.summary.weld_id, "seam-12");
   EXPECT_EQ(result.summary.kind, "butt") << result.message;
   EXPECT_NE(result.summary.verdict, "B") << result.message;
@@ -204,6 +181,21 @@ TEST(WeldNodelet, AScanIsAskedForByAnAction)
   for (const char* name : { "scan.pcd", "scan.ply", "summary.json", "scan_2" })
     EXPECT_FALSE(std::filesystem::exists(welds / "seam-12" / name)) << name << " is of another scan";
   EXPECT_TRUE(std::filesystem::exists(welds / "seam-12" / "notes.txt"));
+}
+
+TEST(WeldNodelet, WithoutAThicknessAnActionTellsThatNotAllWasJudged)
+{
+  WeldChain chain("/weld_part");
+  chain.manager.set("triangulation", "auto_start", false);
+  chain.loadAll();
+  ScanWeldGoal goal;
+  goal.level = "D";
+  const ScanWeldResult result = scannedWeld(chain, goal);
+  EXPECT_NE(result.message.find("not fully judged, "), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("no plate thickness given, not judged: undercut"), std::string::npos);
+  EXPECT_FALSE(result.success) << "nobody knows whether level D is met";
+  EXPECT_EQ(result.summary.lacks_thickness,
+            (std::vector<std::string>{ "undercut", "misalignment", "incomplete_fill", "surface_pore" }));
 }
 
 TEST(WeldNodelet, ABadGoalIsRefusedByName)

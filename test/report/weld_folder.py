@@ -174,7 +174,7 @@ def record(weld, sections):
             "verdict": {"overall": "C", "unverified": True, "asked": "B", "asked_decision": "fail",
                         "levels": {"B": "fail", "C": "pass", "D": "pass"},
                         "notes": ["limits not checked against a copy of ISO 5817: misalignment"],
-                        "limits": "ISO 5817, built in", "thickness": 0.0032},
+                        "lacks_thickness": [], "limits": "ISO 5817, built in", "thickness": 0.0032},
             "settings": {"kind": "auto", "target": "flush", "rest_height": 2e-4, "max_gap": 5e-4, "level": "B"},
             "calibration": {"file": "calibration.yaml", "hash": "3f9a01c2d4e5", "date": "2024-04-28T08:00:00Z", "age_days": 3.2}}
 

@@ -131,11 +131,11 @@ class Layout(WeldReportCase):
 
     def test_without_a_thickness_no_level_stands_large(self):
         self.make()
-        self.edit(lambda record: record["verdict"].update(thickness=None))
+        self.edit(lambda record: record["verdict"].update(thickness=None, lacks_thickness=["undercut", "misalignment"]))
         self.change_verdict_rows(lambda row: row.update(decision="not_judged", limit_mm="", edition="")
                                  if row["imperfection"] in ("undercut", "misalignment") else None)
         alone = "Level C is the best level met by what was judged, which is only: excess weld metal."
-        for asked, decision in (("", "not_judged"), ("C", "pass")):
+        for asked, decision in (("", "not_judged"), ("C", "not_judged")):
             self.edit(lambda record: record["verdict"].update(asked=asked, asked_decision=decision))
             page = self.page()
             for said in (page.text, self.picture_says()):
@@ -147,6 +147,26 @@ class Layout(WeldReportCase):
         for said in (self.page().text, self.picture_says()):
             self.assertIn("LEVEL B NOT MET", said, "one failure suffices")
             self.assertIn(alone, said)
+
+    def test_a_level_asked_for_is_not_told_as_met_where_not_all_was_judged(self):
+        self.make()
+        self.edit(lambda record: record["verdict"].update(
+            overall="undecided", asked="C", asked_decision="not_judged", thickness=None, lacks_thickness=["undercut"],
+            levels={"B": "undecided", "C": "pass", "D": "pass"}))
+        for said in (self.page().text, self.picture_says()):
+            self.assertIn("NOT FULLY JUDGED", said)
+            self.assertIn("Asked for: level C.", said)
+
+    def test_a_table_that_needs_no_thickness_is_judged_without_one(self):
+        self.make()
+        self.edit(lambda record: record["verdict"].update(asked="C", asked_decision="pass", thickness=None, limits="own.yaml"))
+        page = self.page()
+        for said in (page.text, self.picture_says()):
+            self.assertIn("LEVEL C MET", said)
+            self.assertIn("Level C is the best level met.", said)
+        self.assertNotIn("by what was judged", page.text)
+        self.edit(lambda record: record["verdict"].pop("lacks_thickness"))
+        self.assertIn("NOT FULLY JUDGED", self.page().text, "of an earlier version, which did not say")
 
     def test_with_a_thickness_the_level_stands_large(self):
         self.make()

@@ -105,6 +105,20 @@ TEST_F(WeldFiles, WeldJsonStatesTheLimitsOfTheHeight)
   }
 }
 
+TEST_F(WeldFiles, WeldJsonNamesTheLimitsThatNeedAThickness)
+{
+  settings_.judging.level = "D";
+  write(IdealScanner()(IdealWeld()));
+  const YAML::Node part = record()["verdict"];
+  ASSERT_EQ(part["lacks_thickness"].size(), 1u) << part;
+  EXPECT_EQ(part["lacks_thickness"][0].as<std::string>(), "undercut") << "of a bead on a plate";
+  EXPECT_EQ(part["asked_decision"].as<std::string>(), "not_judged");
+  settings_.judging.thickness = 0.008;
+  write(IdealScanner()(IdealWeld()));
+  EXPECT_EQ(record()["verdict"]["lacks_thickness"].size(), 0u);
+  EXPECT_EQ(record()["verdict"]["asked_decision"].as<std::string>(), "pass");
+}
+
 TEST_F(WeldFiles, WeldJsonCountsTheSectionsThatWaitForWhatSpatterHides)
 {
   const IdealWeld weld;

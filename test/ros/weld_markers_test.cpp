@@ -60,12 +60,15 @@ std_msgs::Header header()
 
 struct Measured
 {
-  explicit Measured(const std::function<double(double, double)>& surface, int rows = 60)
+  explicit Measured(const std::function<double(double, double)>& surface, int rows = 60, double thickness = 0.008)
   {
     IdealScanner scanner;
     scanner.rows = rows;
     scan = scanner(surface);
-    evaluation = WeldEvaluator(WeldSettings()).evaluate(scan);
+    WeldSettings settings;
+    if (thickness > 0.0)
+      settings.judging.thickness = thickness;
+    evaluation = WeldEvaluator(settings).evaluate(scan);
   }
   Scan scan;
   WeldEvaluation evaluation;
@@ -89,6 +92,22 @@ TEST(WeldMarkers, ShowToesOverTheSurfaceAndTheVerdict)
     }
   }
   EXPECT_TRUE(says(drawn, "bead_on_plate: B (limits not verified)"));
+}
+
+TEST(WeldMarkers, SayWithoutAThicknessThatNotAllWasJudgedAndShowNoLevel)
+{
+  const auto colourOf = [](const MarkerArray& drawn)
+  { return find(drawn, "toe_left", Marker::LINE_LIST)->colors.at(50); };
+  const Measured whole((IdealWeld())), part(IdealWeld(), 60, 0.0);
+  const MarkerArray drawn = weldMarkers(part.evaluation, header());
+  expectDrawable(drawn);
+  EXPECT_TRUE(says(drawn, "bead_on_plate: not fully judged, B by what was judged (limits not verified)"));
+  EXPECT_TRUE(says(drawn, "no plate thickness given, not judged: undercut"));
+  EXPECT_FALSE(says(drawn, "\n")) << "rviz sets lines of one marker far apart";
+  EXPECT_EQ(colourOf(drawn).r, colourOf(drawn).g) << "grey: not judged";
+  const MarkerArray judged = weldMarkers(whole.evaluation, header());
+  EXPECT_GT(colourOf(judged).g, 2.0F * colourOf(judged).r) << "green";
+  EXPECT_FALSE(says(judged, "judged"));
 }
 
 TEST(WeldMarkers, ConnectNothingBetweenTacks)

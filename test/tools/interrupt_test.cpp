@@ -71,7 +71,8 @@ TEST_F(Interrupt, OfWhatAnEarlierRunDrewNothingPassesForTheReport)
 TEST_F(Interrupt, AReportProgramThatHeardNothingDrawsTheReport)
 {
   EXPECT_EQ(interruptedScan("", "-INT " + kCommand), 130) << text("errors");
-  EXPECT_EQ(text("errors"), "scan_bag: interrupted, what is in scan stays and is whole, nothing is missing\n");
+  EXPECT_EQ(text("errors"),
+            "scan_bag: interrupted, but everything was written before it ended: nothing is missing in scan\n");
   EXPECT_EQ(filesIn("scan").size(), 13u);
   EXPECT_TRUE(std::filesystem::exists(path("scan/report.html")));
   EXPECT_TRUE(std::filesystem::exists(path("scan/report.png")));

@@ -76,7 +76,7 @@ TEST(VerdictInput, SaysWhatIsNotJudgedForWantOfAThickness)
   cut(sections, 10.0, 40.0, 3.0);
   const WeldVerdict unknown = judged(sections, {});
   EXPECT_EQ(unknown.verdict, "B");
-  EXPECT_TRUE(noted(unknown, "no plate thickness given"));
+  EXPECT_TRUE(noted(unknown, "no plate thickness given, not judged: undercut, misalignment"));
   const VerdictRow& row = rowOf(unknown, Imperfection::Undercut, QualityLevel::B);
   EXPECT_EQ(row.decision, Decision::NotJudged);
   EXPECT_NEAR(row.value.value, 3e-3, 1e-12) << "measured all the same";
@@ -85,6 +85,75 @@ TEST(VerdictInput, SaysWhatIsNotJudgedForWantOfAThickness)
   EXPECT_EQ(thin.verdict, "");
   EXPECT_TRUE(noted(thin, "thickness 0.4 mm is below the scope of ISO 5817 (0.5 mm)"));
   EXPECT_EQ(rowOf(thin, Imperfection::ExcessWeldMetal, QualityLevel::B).decision, Decision::NotJudged);
+}
+
+TEST(VerdictInput, NamesTheLimitsThatNeedAThicknessAndMeetsNoLevelWithoutThem)
+{
+  using Names = std::vector<std::string>;
+  const std::vector<WeldSpot> spots;
+  VerdictParams params;
+  params.level = "C";
+  const auto of = [&](WeldKind kind) { return judged(goodWeld(0.05), params, kind, &spots); };
+  const WeldVerdict butt = of(WeldKind::Butt);
+  EXPECT_EQ(butt.lacks_thickness, (Names{ "undercut", "misalignment", "incomplete_fill", "surface_pore" }));
+  EXPECT_EQ(butt.lacking(),
+            "no plate thickness given, not judged: undercut, misalignment, incomplete_fill, surface_pore");
+  EXPECT_TRUE(noted(butt, butt.lacking()));
+  EXPECT_EQ(butt.headline(), "not fully judged, B by what was judged");
+  EXPECT_EQ(butt.text(), butt.headline() + " (" + butt.lacking() + ")");
+  EXPECT_EQ(butt.asked, Decision::NotJudged) << "what was not judged may fail it";
+  EXPECT_EQ(of(WeldKind::Fillet).lacks_thickness, Names{ "undercut" });
+  EXPECT_EQ(of(WeldKind::BeadOnPlate).text(),
+            "not fully judged, B by what was judged (no plate thickness given, not judged: undercut) (limits not "
+            "verified)");
+  std::vector<WeldSection> high = goodWeld(0.05);
+  for (WeldSection& section : high)
+    section.reinforcement.value = 3e-3;
+  const WeldVerdict failed = judged(high, params);
+  EXPECT_EQ(failed.headline(), "not fully judged, D by what was judged");
+  EXPECT_EQ(failed.asked, Decision::Fail) << "one failure suffices";
+  params.thickness = 4e-3;
+  EXPECT_EQ(of(WeldKind::Butt).lacks_thickness, Names{});
+  EXPECT_EQ(of(WeldKind::Butt).headline(), "B");
+  EXPECT_EQ(of(WeldKind::Butt).asked, Decision::Pass);
+}
+
+TEST(VerdictInput, LacksNoThicknessWhereNoEntryOfTheTableNeedsOne)
+{
+  using Names = std::vector<std::string>;
+  const auto lacking = [](const std::string& entries, const VerdictParams& params = {})
+  {
+    const std::vector<WeldSection> sections = goodWeld(0.05);
+    const std::vector<WeldSpot> spots;
+    const std::string head =
+        "version: 1\nstandard: mine\nleast_thickness_mm: 0.5\n"
+        "short: {length_mm: 25, per_mm: 100, share: 0.25, edition: mine, source: read}\n"
+        "entries:\n  - {iso: 502, kinds: [butt], edition: mine, source: read, "
+        "B: {base_mm: 2}, C: {base_mm: 3}, D: {base_mm: 4}}\n";
+    const WeldJudge judge(params, Limits::parse(head + entries, "mine.yaml"));
+    return judge.judge(WeldToJudge{ WeldKind::Butt, &sections, &spots, nullptr }).lacks_thickness;
+  };
+  const auto entry = [](const std::string& what)
+  { return "  - {edition: mine, source: read, kinds: [butt], " + what + "}\n"; };
+  const std::string levels = "B: {base_mm: 0.1}, C: {base_mm: 0.2}, D: ";
+  EXPECT_EQ(lacking(""), Names{});
+  EXPECT_EQ(lacking(entry("iso: 5011, " + levels + "{base_mm: 0.3}")), Names{});
+  EXPECT_EQ(lacking(entry("iso: 5011, " + levels + "{base_mm: 0.3, factor: 0.3, of: t}")), Names{ "undercut" });
+  EXPECT_EQ(lacking(entry("iso: 5011, above_mm: 3, " + levels + "{base_mm: 0.3}")), Names{ "undercut" });
+  EXPECT_EQ(lacking(entry("iso: 507, to_mm: 3, B: permitted, C: permitted, D: permitted")), Names{});
+  EXPECT_EQ(lacking("  - {edition: mine, source: read, kinds: [fillet], iso: 5011, above_mm: 3, " + levels +
+                    "{base_mm: 0.3}}\n"),
+            Names{})
+      << "of another kind";
+  const std::string angle = entry("iso: 505, above_mm: 3, B: {base_deg: 150}, C: {base_deg: 110}, D: {base_deg: 90}");
+  EXPECT_EQ(lacking(angle), Names{}) << "not asked for";
+  VerdictParams params;
+  params.judge_toe_angle = true;
+  EXPECT_EQ(lacking(angle, params), Names{ "toe_angle" });
+  const std::string pore = entry("iso: 2017, " + levels + "{base_mm: 0.3, factor: 0.3, of: s}");
+  EXPECT_EQ(lacking(pore), Names{ "surface_pore" });
+  params.nominal_thickness = 4e-3;
+  EXPECT_EQ(lacking(pore, params), Names{});
 }
 
 TEST(VerdictInput, WondersAtAThicknessThatNobodyWelds)

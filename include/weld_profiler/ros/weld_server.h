@@ -57,7 +57,7 @@ struct WeldOrder
 struct WeldOutcome
 {
   WeldMeasurement summary;
-  Decision asked = Decision::NotJudged;  ///< whether the level asked for is met
+  WeldVerdict verdict;
   std::vector<std::string> files;
   std::string trouble;  ///< what could not be written or given out; empty = nothing
 };

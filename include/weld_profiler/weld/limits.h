@@ -128,6 +128,10 @@ public:
   const LimitEntry* find(Imperfection imperfection, WeldKind kind, std::optional<double> t,
                          std::optional<double> s) const;
 
+  /// There is a limit for this kind, and without the plate's thickness it cannot be told: find() then has none.
+  /// @param s  nominal thickness [m]
+  bool lacksThickness(Imperfection imperfection, WeldKind kind, std::optional<double> s) const;
+
   /// Least plate thickness that the table is for [m].
   double leastThickness() const { return least_thickness_; }
   const ShortRule& shortRule() const { return short_rule_; }

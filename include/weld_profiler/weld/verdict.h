@@ -89,16 +89,26 @@ struct WaitingSections
 /// The verdict on the whole weld.
 struct WeldVerdict
 {
-  std::string verdict;                 ///< B, C, D (best level met), fail, undecided; empty = not judged
-  std::vector<std::string> waits_for;  ///< imperfections that were measured nowhere and leave it undecided
+  std::string verdict;                       ///< B, C, D (best level met), fail, undecided; empty = not judged
+  std::vector<std::string> waits_for;        ///< imperfections that were measured nowhere and leave it undecided
+  std::vector<std::string> lacks_thickness;  ///< imperfections whose limits need the plate's thickness: not judged
   WaitingSections waiting;
   bool unverified = false;           ///< rests on a limit that was not read
   std::array<Decision, 3> levels{};  ///< whether B, C, D are met
   std::array<bool, 3> unverified_levels{};
-  Decision asked = Decision::NotJudged;  ///< whether the level asked for is met
+  Decision asked = Decision::NotJudged;  ///< whether the level asked for is met; by a part of the limits none is
   double length = 0.0;                   ///< of the weld [m]
   std::vector<VerdictRow> rows;          ///< imperfection by imperfection, B, C, D
   std::vector<std::string> notes;        ///< what a reader must know: not judged and why, unverified, ...
+
+  /// The verdict as everything shows it: `C`, `fail`, `not judged`, `not fully judged, C by what was judged`.
+  std::string headline() const;
+
+  /// `no plate thickness given, not judged: undercut, misalignment`, or empty.
+  std::string lacking() const;
+
+  /// In one line, with what it lacks and that it rests on limits that were not read.
+  std::string text() const;
 };
 
 /// What is known of a weld when it is judged as a whole.
