@@ -42,7 +42,7 @@ Around lookAround(const SeamSections& sections, const std::vector<double>& level
   return Around{ median(std::move(heights)), whole };
 }
 
-/// What is not known ends the bead; so does what is lower beside it.
+/// What is not known ends the bead, as may what lies beyond the scan; so does what is lower beside it.
 std::vector<std::uint8_t> endingBead(const SeamSections& sections, const std::vector<std::uint8_t>& known,
                                      const std::vector<double>& departures)
 {
@@ -68,6 +68,8 @@ std::vector<std::uint8_t> endingBead(const SeamSections& sections, const std::ve
     if (known[k] == 0)
       walk(k, 1), walk(k, -1);
   }
+  if (count > 0)
+    walk(0, 1), walk(count - 1, -1);
   return ending;
 }
 }  // namespace
