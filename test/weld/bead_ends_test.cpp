@@ -91,6 +91,25 @@ TEST(BeadEnds, TacksThatBeginAnewHaveNoPoreBetweenThem)
   }
 }
 
+TEST(BeadEnds, ABeadThatFallsToTheScansEdgeHasNoPoreThere)
+{
+  for (const double pitch : { 2e-4, 3e-4 })
+  {
+    IdealScanner scanner;
+    scanner.pitch = pitch;
+    scanner.rows = static_cast<int>(std::lround(0.03 / pitch));
+    scanner.seed = 2;
+    Restart end = restart(1e-4, 4e-3);
+    end.weld.width = pitch < 2.5e-4 ? 0.008 : 0.012;
+    end.weld.ripple = 0.0;
+    end.y = scanner.rows * pitch + 2e-3;
+    const WeldResult result = WeldMeasurer().measure(scanner(end));
+    EXPECT_TRUE(poresOf(result).empty()) << pitch;
+    EXPECT_TRUE(result.hollows.empty()) << pitch;
+    EXPECT_GT(result.measured_share, 0.85) << pitch;
+  }
+}
+
 TEST(BeadEnds, WhatAllAcrossDoesBesideAnEndIsNoBall)
 {
   const WeldResult result = WeldMeasurer().measure(longScanner()(restart(2e-3, 5e-4)));
