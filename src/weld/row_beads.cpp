@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bare_plate.h"
 #include "row_outline.h"
 #include "row_parents.h"
 
@@ -32,6 +33,15 @@ public:
       left_of_bead_.push_back(clearLine(outline_.nodes(), parent, -1, params.parent_length));
       right_of_bead_.push_back(clearLine(outline_.nodes(), parent, 1, params.parent_length));
     }
+    std::vector<PlateLine> plates;
+    for (std::size_t i = 0; i < parents_.size(); ++i)
+    {
+      plates.push_back(PlateLine{ parents_[i].end - 1, 1, left_of_bead_[i] });
+      plates.push_back(PlateLine{ parents_[i].first, -1, right_of_bead_[i] });
+    }
+    for (const PlateLine& plate : plates)
+      for (const StraightRun& piece : barePlate(outline_, plate, params))
+        insert(piece);
   }
 
   RowFindings operator()()
@@ -58,6 +68,19 @@ private:
     RowBead bead;
     double score = 0.0;
   };
+
+  /// Takes a piece among the parents that is none of them yet.
+  void insert(const StraightRun& piece)
+  {
+    const auto at = std::find_if(parents_.begin(), parents_.end(),
+                                 [&piece](const StraightRun& parent) { return parent.end > piece.first; });
+    if (at != parents_.end() && at->first < piece.end)
+      return;
+    const auto place = at - parents_.begin();
+    parents_.insert(at, piece);
+    left_of_bead_.insert(left_of_bead_.begin() + place, piece.line);
+    right_of_bead_.insert(right_of_bead_.begin() + place, piece.line);
+  }
 
   /// Length of the runs from begin to end that lie along a line: spatter cuts a parent in pieces.
   double lengthAlong(const Line& line, std::size_t begin, std::size_t end) const
