@@ -85,7 +85,7 @@ private:
     std::vector<double> off;
     for (int i = first; i < end; ++i)
       off.push_back(above(i));
-    StraightRun run{ first, end, outline_.node(first).x, outline_.node(end - 1).x, plate_.line };
+    StraightRun run{ first, end, outline_.node(first).x, outline_.node(end - 1).x, plate_.line, true };
     run.line.height += medianInPlace(off) / std::cos(run.line.angle());
     return run;
   }

@@ -16,6 +16,7 @@ constexpr double kEnoughParent = 0.012;  // of a parent in view: more says no mo
 constexpr double kWallCost = 4e-3;       // a wall at a toe speaks against a bead like so much less of a parent [m]
 constexpr double kWidthCost = 0.1;       // and so does its width
 constexpr double kWider = 1.2;           // across an oblique bead a row is wider
+constexpr int kFewestBare = 2;           // nodes of a plate's short piece that are of nothing else
 constexpr double kAboveShare = 0.6;      // of a bead's nodes lie above its reference
 
 /// One row in work.
@@ -69,15 +70,19 @@ private:
     double score = 0.0;
   };
 
-  /// Takes a piece among the parents that is none of them yet.
-  void insert(const StraightRun& piece)
+  /// Takes a piece among the parents that is none of them yet; a face's last node may lie along the plate.
+  void insert(StraightRun piece)
   {
-    const auto at = std::find_if(parents_.begin(), parents_.end(),
-                                 [&piece](const StraightRun& parent) { return parent.end > piece.first; });
-    if (at != parents_.end() && at->first < piece.end)
+    std::size_t at = 0;
+    while (at < parents_.size() && parents_[at].first < piece.first)
+      ++at;
+    piece.first = at > 0 ? std::max(piece.first, parents_[at - 1].end) : piece.first;
+    piece.end = at < parents_.size() ? std::min(piece.end, parents_[at].first) : piece.end;
+    if (piece.end - piece.first < kFewestBare)
       return;
-    const auto place = at - parents_.begin();
-    parents_.insert(at, piece);
+    piece.x_from = outline_.node(piece.first).x, piece.x_to = outline_.node(piece.end - 1).x;
+    const auto place = static_cast<std::ptrdiff_t>(at);
+    parents_.insert(parents_.begin() + place, piece);
     left_of_bead_.insert(left_of_bead_.begin() + place, piece.line);
     right_of_bead_.insert(right_of_bead_.begin() + place, piece.line);
   }
@@ -175,8 +180,8 @@ private:
     findings.block = findings.block || walls == 2;
     if (walls == 2)
       return;
-    const double support = std::min(lengthAlong(bead.left, 0, i + 1), kEnoughParent) +
-                           std::min(lengthAlong(bead.right, j, parents_.size()), kEnoughParent);
+    const double support = std::min(lengthAlong(bead.left, 0, left.bare ? parents_.size() : i + 1), kEnoughParent) +
+                           std::min(lengthAlong(bead.right, right.bare ? 0 : j, parents_.size()), kEnoughParent);
     contenders.push_back(Contender{ bead, support - walls * kWallCost - kWidthCost * (bead.x_right - bead.x_left) });
   }
 
