@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bare_plate.h"
 #include "row_outline.h"
 #include "row_parents.h"
 
@@ -15,6 +16,7 @@ constexpr double kEnoughParent = 0.012;  // of a parent in view: more says no mo
 constexpr double kWallCost = 4e-3;       // a wall at a toe speaks against a bead like so much less of a parent [m]
 constexpr double kWidthCost = 0.1;       // and so does its width
 constexpr double kWider = 1.2;           // across an oblique bead a row is wider
+constexpr int kFewestBare = 2;           // nodes of a plate's short piece that are of nothing else
 constexpr double kAboveShare = 0.6;      // of a bead's nodes lie above its reference
 
 /// One row in work.
@@ -32,6 +34,15 @@ public:
       left_of_bead_.push_back(clearLine(outline_.nodes(), parent, -1, params.parent_length));
       right_of_bead_.push_back(clearLine(outline_.nodes(), parent, 1, params.parent_length));
     }
+    std::vector<PlateLine> plates;
+    for (std::size_t i = 0; i < parents_.size(); ++i)
+    {
+      plates.push_back(PlateLine{ parents_[i].end - 1, 1, left_of_bead_[i] });
+      plates.push_back(PlateLine{ parents_[i].first, -1, right_of_bead_[i] });
+    }
+    for (const PlateLine& plate : plates)
+      for (const StraightRun& piece : barePlate(outline_, plate, params))
+        insert(piece);
   }
 
   RowFindings operator()()
@@ -58,6 +69,23 @@ private:
     RowBead bead;
     double score = 0.0;
   };
+
+  /// Takes a piece among the parents that is none of them yet; a face's last node may lie along the plate.
+  void insert(StraightRun piece)
+  {
+    std::size_t at = 0;
+    while (at < parents_.size() && parents_[at].first < piece.first)
+      ++at;
+    piece.first = at > 0 ? std::max(piece.first, parents_[at - 1].end) : piece.first;
+    piece.end = at < parents_.size() ? std::min(piece.end, parents_[at].first) : piece.end;
+    if (piece.end - piece.first < kFewestBare)
+      return;
+    piece.x_from = outline_.node(piece.first).x, piece.x_to = outline_.node(piece.end - 1).x;
+    const auto place = static_cast<std::ptrdiff_t>(at);
+    parents_.insert(parents_.begin() + place, piece);
+    left_of_bead_.insert(left_of_bead_.begin() + place, piece.line);
+    right_of_bead_.insert(right_of_bead_.begin() + place, piece.line);
+  }
 
   /// Length of the runs from begin to end that lie along a line: spatter cuts a parent in pieces.
   double lengthAlong(const Line& line, std::size_t begin, std::size_t end) const
@@ -152,8 +180,8 @@ private:
     findings.block = findings.block || walls == 2;
     if (walls == 2)
       return;
-    const double support = std::min(lengthAlong(bead.left, 0, i + 1), kEnoughParent) +
-                           std::min(lengthAlong(bead.right, j, parents_.size()), kEnoughParent);
+    const double support = std::min(lengthAlong(bead.left, 0, left.bare ? parents_.size() : i + 1), kEnoughParent) +
+                           std::min(lengthAlong(bead.right, right.bare ? 0 : j, parents_.size()), kEnoughParent);
     contenders.push_back(Contender{ bead, support - walls * kWallCost - kWidthCost * (bead.x_right - bead.x_left) });
   }
 

@@ -1,6 +1,7 @@
 #include "row_parents.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "statistics.h"
@@ -14,6 +15,8 @@ namespace
 constexpr double kClear = 3e-3;      // of a parent at the weld, that its line does without [m]
 constexpr double kClearShare = 0.4;  // ... but no more than this share of it
 constexpr int kRounds = 4;           // of the robust line through a run
+constexpr int kMostAtEnd = 3;        // nodes of what follows that merging may have taken in
+constexpr double kCertain = 3.0;     // sigmas of a bend
 
 /// Tukey's biweight, begun at the run's own line: a low bead in a long run leaves it.
 Line robustLine(const std::vector<Node>& nodes, const StraightRun& run, double least_scale)
@@ -88,6 +91,66 @@ void splitAtBumps(const std::vector<Node>& nodes, double seen, const WeldParams&
   }
   runs = std::move(split);
 }
+
+/// Whether something wider than spatter rises beyond a run's end, on side -1 or 1.
+bool endsAtSomething(const std::vector<Node>& nodes, const StraightRun& run, int side, const Line& line, double seen,
+                     double width)
+{
+  const auto at = [&nodes](int i) -> const Node& { return nodes[static_cast<std::size_t>(i)]; };
+  const int last = side < 0 ? run.first : run.end - 1;
+  const int size = static_cast<int>(nodes.size());
+  int i = last + side * kMostAtEnd;  // nearer it may have just begun
+  for (; i >= 0 && i < size && std::abs(at(i).x - at(last).x) < width; i += side)
+  {
+    if (!(line.above(at(i).x, at(i).z) > seen))
+      return false;
+  }
+  return i != last + side * kMostAtEnd;
+}
+
+/// Takes the nodes off a run's ends that belong to what stands there: in a short piece between two things they tilt the
+/// line. Up to the field's edge nothing follows.
+void trimEnds(const std::vector<Node>& nodes, double seen, double width, StraightRun& run)
+{
+  if (run.first == 0 || run.end == static_cast<int>(nodes.size()) || run.length() > kClear / kClearShare)
+    return;
+  const Line line = robustLine(nodes, run, 0.25 * seen);
+  if (!endsAtSomething(nodes, run, -1, line, seen, width) || !endsAtSomething(nodes, run, 1, line, seen, width))
+    return;
+  const auto at = [&nodes](int i) -> const Node& { return nodes[static_cast<std::size_t>(i)]; };
+  const auto off = [&](int i) { return std::abs(line.above(at(i).x, at(i).z)) > seen; };
+  int first = run.first, end = run.end;
+  while (first < run.first + kMostAtEnd && first + 2 < end && off(first))
+    ++first;
+  while (end > run.end - kMostAtEnd && first + 2 < end && off(end - 1))
+    --end;
+  if (first != run.first || end != run.end)
+    run = StraightRun{ first, end, at(first).x, at(end - 1).x, line };
+}
+
+/// Bulges more than a parent may, which is straight within `flatness` over `parent_length`: a piece of a bead's face.
+/// Told from the medians of the run's thirds, which spatter leaves alone.
+bool bulges(const std::vector<Node>& nodes, const StraightRun& run, double noise, const WeldParams& params)
+{
+  constexpr double kParabola = 3.354;  // its rise over its scatter about a line: sqrt(45 / 4)
+  const int third = (run.end - run.first) / 3;
+  if (third < 2)
+    return false;
+  std::vector<double> off;
+  const auto middle = [&](int from)
+  {
+    off.clear();
+    for (int i = from; i < from + third; ++i)
+    {
+      const Node& node = nodes[static_cast<std::size_t>(i)];
+      off.push_back(node.z - run.line.at(node.x));
+    }
+    return medianInPlace(off);
+  };
+  const double bulge = middle((run.first + run.end - third) / 2) - 0.5 * (middle(run.first) + middle(run.end - third));
+  const double allowed = 4.0 / 9.0 * kParabola * params.flatness * square(run.length() / params.parent_length);
+  return bulge > allowed + kCertain * noise * std::sqrt(1.5 * M_PI_2 / third);
+}
 }  // namespace
 
 std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise, double seen, const WeldParams& params)
@@ -95,9 +158,16 @@ std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise
   const double tolerance = std::max(params.flatness, 2.0 * noise);
   std::vector<StraightRun> runs = straightRuns(nodes, tolerance);
   splitAtBumps(nodes, seen, params, runs);
+  for (StraightRun& run : runs)
+    trimEnds(nodes, seen, 2.0 * params.min_width, run);
   runs.erase(std::remove_if(runs.begin(), runs.end(),
                             [&](const StraightRun& run) { return run.length() < params.min_parent_length; }),
              runs.end());
+  // what lies between two parents is told from them; the outermost have nothing beyond
+  const auto bulging = [&](const StraightRun& run) { return bulges(nodes, run, noise, params); };
+  while (!runs.empty() && bulging(runs.back()))
+    runs.pop_back();
+  runs.erase(runs.begin(), std::find_if_not(runs.begin(), runs.end(), bulging));
   return runs;
 }
 

@@ -22,6 +22,7 @@ struct StraightRun
   int first = 0, end = 0;
   double x_from = 0.0, x_to = 0.0;
   Line line;
+  bool bare = false;  ///< a short piece of a plate, most of which lies elsewhere in the row
 
   double length() const { return x_to - x_from; }
 };

@@ -211,6 +211,12 @@ FoundWeld findWeld(const ScanGrid& grid, const WeldParams& params)
   if (grid.row_y.back() - found.to_y < kToTheEnd)
     found.to_y = grid.row_y.back();
   dropOdd(grid, found.track);
+  if (found.track.rows.empty())
+  {
+    found.reason =
+        "what rises above the surface is as wide as around it in no row: a parent is not in view, or no weld";
+    return found;
+  }
   found.path = std::make_shared<WeldPath>(pathOf(grid, found.track));
   return found;
 }

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "weld/ideal_scan.h"
+#include "weld/row_beads.h"
+#include "weld/scan_grid.h"
 #include "weld_profiler/weld/weld_measurer.h"
 
 namespace weld_profiler
@@ -30,7 +32,96 @@ void expectWidth(const WeldResult& result, double width, std::size_t at_least)
   }
   EXPECT_GE(told, at_least) << result.reason;
 }
+
+/// A weld that a second bead lies beside, 6 mm wide, on side -1 or 1 after a piece of bare plate.
+struct TwoBeads
+{
+  double misalignment = 0.0, height = 0.001;
+  double bare = 0.003;
+  int side = 1;
+
+  WeldResult measured() const
+  {
+    IdealWeld weld = offsetWeld();
+    weld.misalignment = misalignment;
+    weld.x = -side * 0.003;
+    IdealWeld second;
+    second.width = 0.006;
+    second.height = height;
+    second.x = weld.x + side * (0.5 * weld.width + bare + 0.5 * second.width);
+    IdealScanner scanner;
+    scanner.rows = 20;
+    return WeldMeasurer().measure(
+        scanner([&](double x, double y) { return weld(x, y) + std::max(0.0, second(x, y)); }));
+  }
+};
 }  // namespace
+
+TEST(Neighbours, TwoBeadsALittleApartAreNoOneWeld)
+{
+  for (const double misalignment : { -0.0004, 0.0, 0.0004 })
+    for (const double height : { 0.0003, 0.001 })
+      for (const int side : { -1, 1 })
+        for (int tenths = 16; tenths <= 30; tenths += 2)
+        {
+          SCOPED_TRACE(testing::Message() << misalignment << " " << height << " " << side << " " << tenths);
+          const WeldResult result = TwoBeads{ misalignment, height, 1e-4 * tenths, side }.measured();
+          for (const WeldSection& section : result.sections)
+            EXPECT_FALSE(section.width.value > 0.009) << section.width.value;
+          EXPECT_EQ(result.other_beads.empty(), false) << result.reason;
+        }
+}
+
+TEST(Neighbours, AShortPieceOfPlateBeforeABeadIsEnough)
+{
+  for (const double misalignment : { -0.0004, 0.0, 0.0004 })
+    for (const int side : { -1, 1 })
+      for (int tenths = 28; tenths <= 48; tenths += 2)
+      {
+        SCOPED_TRACE(testing::Message() << misalignment << " " << side << " " << tenths);
+        const WeldResult result = TwoBeads{ misalignment, 0.001, 1e-4 * tenths, side }.measured();
+        expectWidth(result, std::hypot(0.008, misalignment), 19);
+        EXPECT_EQ(result.other_beads.size(), 1u);
+      }
+}
+
+TEST(Neighbours, ACrestCutOffByTheFieldsEdgeIsNoParent)
+{
+  IdealScanner scanner;  // sees 21 mm to either side of its middle
+  scanner.rows = 20;
+  int whole = 0;
+  for (const int side : { -1, 1 })
+  {
+    for (int tenths = 165; tenths <= 210; tenths += 5)
+    {
+      SCOPED_TRACE(side * tenths);
+      IdealWeld weld;
+      weld.width = 0.010;
+      weld.x = side * 1e-4 * tenths;
+      const weld::ScanGrid grid = weld::makeGrid(scanner(weld));
+      for (int row = 0; row < scanner.rows; ++row)
+      {
+        for (const weld::RowBead& bead : weld::findRowBeads(grid, row, WeldParams()).beads)
+          whole += bead.whole() ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(whole, 0);
+}
+
+TEST(Neighbours, WhatIsSeenOtherwiseFromRowToRowIsNoWeld)
+{
+  IdealWeld weld;  // the field's edge cuts it off near its crest
+  weld.width = 0.010;
+  weld.height = 0.001;
+  weld.misalignment = -0.0004;
+  weld.x = -0.0149;
+  IdealScanner scanner;
+  scanner.rows = 20;
+  scanner.noise = 2.5e-6;
+  const WeldResult result = WeldMeasurer().measure(scanner(weld));
+  EXPECT_TRUE(result.hasWeld() || !result.reason.empty());
+}
 
 TEST(Neighbours, BarePlateBetweenTwoBeadsPartsThem)
 {
