@@ -91,5 +91,16 @@ double faceAround(const ScanGrid& grid, const std::vector<std::size_t>& pit, con
   }
   return all > 0 ? static_cast<double>(shown) / static_cast<double>(all) : 0.0;
 }
+
+void maskAround(const ScanGrid& grid, std::size_t point, double reach, std::vector<std::uint8_t>& masked)
+{
+  const int row = static_cast<int>(point / static_cast<std::size_t>(grid.cells));
+  const int column = static_cast<int>(point % static_cast<std::size_t>(grid.cells));
+  const int columns = static_cast<int>(std::ceil(reach / grid.spacing));
+  const int rows = grid.pitch > 0.0 ? static_cast<int>(std::lround(reach / grid.pitch)) : 0;
+  for (int r = std::max(0, row - rows); r <= std::min(grid.rows - 1, row + rows); ++r)
+    for (int c = std::max(0, column - columns); c <= std::min(grid.cells - 1, column + columns); ++c)
+      masked[grid.at(r, c)] = 1;
+}
 }  // namespace weld
 }  // namespace weld_profiler

@@ -14,5 +14,8 @@ namespace weld
 /// @param pit   points of the grid, at least one.
 /// @param face  of each point of the grid, whether it was measured on the face.
 double faceAround(const ScanGrid& grid, const std::vector<std::size_t>& pit, const std::vector<std::uint8_t>& face);
+
+/// Marks the points of the grid around one, up to `reach` beside it [m].
+void maskAround(const ScanGrid& grid, std::size_t point, double reach, std::vector<std::uint8_t>& masked);
 }  // namespace weld
 }  // namespace weld_profiler

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pit_chance.h"
 #include "pit_rim.h"
 #include "stray_excess.h"
 
@@ -112,7 +113,8 @@ private:
       spot.height = Quantity{ static_cast<double>(found_.height[i]), static_cast<double>(grid_.sigma[i]) };
     }
     found.extent = std::max(most_x - least_x, most_y - least_y);
-    spot.kind = spot.height.value > 0.0 ? WeldSpot::Kind::Spatter : WeldSpot::Kind::Pore;
+    // its side of what is around it: ripples may lift or lower both
+    spot.kind = excess_[points.front()] > 0.0F ? WeldSpot::Kind::Spatter : WeldSpot::Kind::Pore;
     const double cell = grid_.spacing * (std::isfinite(grid_.pitch) ? grid_.pitch : grid_.spacing);
     const double diameter = std::sqrt(4.0 / kPi * cell * static_cast<double>(points.size()));
     // the walls of a pore are steep, or round: if they are a paraboloid's, what lies above the foot is wider by so much
@@ -146,9 +148,11 @@ private:
   void takeSpot(std::size_t start, Strays& strays)
   {
     Found found = describe(connected(start));
+    const bool pit = found.spot.kind == WeldSpot::Kind::Pore;
+    if (pit && found.on_face)
+      chance_.look(found.points);
     if (found.points.size() < kFewest || found.top < kClear || isWaist(found))
       return;
-    const bool pit = found.spot.kind == WeldSpot::Kind::Pore;
     // what lies below a plate is no pore of the weld
     const bool foreign = (pit && !found.on_face) || found.extent > kWidest;
     const Stray kind = foreign ? Stray::Foreign : pit ? Stray::Pore : Stray::Spatter;
@@ -156,7 +160,7 @@ private:
     for (const std::size_t i : found.points)
     {
       strays.kind[i] = kind;
-      maskAround(i, rim, strays.masked);
+      maskAround(grid_, i, rim, strays.masked);
     }
     if (kind == Stray::Spatter)
     {
@@ -190,14 +194,14 @@ private:
     for (std::size_t i = 0; i < face.size(); ++i)
     {
       if (strays.kind[i] == Stray::Spatter)
-        maskAround(i, kRim, ball);
+        maskAround(grid_, i, kRim, ball);
     }
     for (std::size_t i = 0; i < face.size(); ++i)
       face[i] = face[i] != 0 && strays.kind[i] == Stray::None && ball[i] == 0 ? 1 : 0;
     for (const Found& pit : pits_)
     {
       const bool shallow = -pit.spot.height.value < kDeepest * pit.spot.diameter.value;
-      if (shallow && faceAround(grid_, pit.points, face) >= kRimSeen)
+      if (shallow && !chance_.mayMake(pit.points) && faceAround(grid_, pit.points, face) >= kRimSeen)
         strays.spots.push_back(pit.spot);
       else
       {
@@ -221,21 +225,11 @@ private:
     }
   }
 
-  void maskAround(std::size_t point, double rim, std::vector<std::uint8_t>& masked) const
-  {
-    const int row = static_cast<int>(point / static_cast<std::size_t>(grid_.cells));
-    const int column = static_cast<int>(point % static_cast<std::size_t>(grid_.cells));
-    const int columns = static_cast<int>(std::ceil(rim / grid_.spacing));
-    const int rows = grid_.pitch > 0.0 ? static_cast<int>(std::lround(rim / grid_.pitch)) : 0;
-    for (int r = std::max(0, row - rows); r <= std::min(grid_.rows - 1, row + rows); ++r)
-      for (int c = std::max(0, column - columns); c <= std::min(grid_.cells - 1, column + columns); ++c)
-        masked[grid_.at(r, c)] = 1;
-  }
-
   const ScanGrid& grid_;
   const SectionSampler& sampler_;
   const StrayExcess found_;
   const std::vector<float>& excess_;  ///< departure over tolerance
+  PitChance chance_{ grid_, kFewest };
   std::vector<Found> pits_;
   std::vector<std::uint8_t> seen_;
 };

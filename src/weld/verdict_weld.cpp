@@ -134,7 +134,7 @@ void noteHollows(const WeldToJudge& weld, std::vector<std::string>& notes)
   text.precision(2);
   text << std::fixed << weld.hollows->size() << (weld.hollows->size() == 1 ? " hollow" : " hollows, the widest")
        << " of " << widest->diameter.value * kMmPerMetre << " mm at s = " << widest->s * kMmPerMetre
-       << " mm: a pore or none, it was not seen whole";
+       << " mm: a pore or none, it was not seen whole, or no more than stray points";
   notes.push_back(text.str());
 }
 
