@@ -6,6 +6,7 @@
 #include "pit_chance.h"
 #include "pit_rim.h"
 #include "stray_excess.h"
+#include "unseen_pores.h"
 
 namespace weld_profiler
 {
@@ -16,7 +17,6 @@ namespace
 constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kFewest = 6;    // points of a spot
 constexpr double kWidest = 4e-3;      // [m]
-constexpr double kClear = 1.5;        // tolerances that a spot's top must reach
 constexpr double kRim = 1.3e-4;       // around a stray the surface is blurred with it [m]
 constexpr double kOfTolerance = 0.5;  // the foot of a stray reaches down to this share of the tolerance
 // of a pore's rim must be seen on the face: what is open to a side may as well be the gap between two balls of spatter,
@@ -49,6 +49,7 @@ public:
         takeSpot(i, strays);
     }
     judgePits(strays);
+    strays.unseen = unseenPores(grid_, found_.unseen_depth);
     keep(without, strays);
     for (std::vector<WeldSpot>* spots : { &strays.spots, &strays.hollows })
       std::sort(spots->begin(), spots->end(), [](const WeldSpot& a, const WeldSpot& b) { return a.s < b.s; });

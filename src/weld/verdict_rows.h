@@ -22,6 +22,9 @@ VerdictRow emptyRow(Imperfection imperfection, QualityLevel level, const LimitEn
 /// Puts the place that decides into a row. @param with_limit  false = there is no limit: the size alone.
 void setPlace(const Place& place, bool with_limit, VerdictRow& row);
 
+/// Diameter of the largest pore that counts and may be there unseen [m].
+double hiddenPore(const UnseenPores& unseen);
+
 /// Makes the rows of verdict.csv of one weld.
 class VerdictRows
 {

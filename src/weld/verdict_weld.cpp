@@ -138,6 +138,18 @@ void noteHollows(const WeldToJudge& weld, std::vector<std::string>& notes)
   notes.push_back(text.str());
 }
 
+void noteUnseen(const WeldJudge& judge, const WeldToJudge& weld, std::vector<std::string>& notes)
+{
+  const double hidden = hiddenPore(weld.unseen_pores);
+  if (!(hidden > 0.0) || weld.spots == nullptr || judge.entry(Imperfection::SurfacePore, weld.kind) == nullptr)
+    return;
+  std::ostringstream text;
+  text.precision(2);
+  text << std::fixed << "a pore of up to " << hidden * kMmPerMetre
+       << " mm, a quarter as deep, would not be seen on this face: its ripples are high, or its rows far apart";
+  notes.push_back(text.str());
+}
+
 void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, WeldVerdict& verdict)
 {
   const LevelVerdict together = combine(parts);
@@ -196,6 +208,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
   noteLength(result, result.notes);
   noteRows(*this, rows, result, result.notes);
   noteHollows(weld, result.notes);
+  noteUnseen(*this, weld, result.notes);
   if (result.waiting.sections > 0)
     result.notes.push_back(result.waiting.text());
   return result;

@@ -82,6 +82,8 @@ struct WeldResult
   std::vector<float> removal;        ///< rows x cells, height above the target, >= 0, NaN unknown [m]
   std::vector<float> target;         ///< rows x cells, z of the target surface at the point, NaN unknown [m]
 
+  UnseenPores unseen_pores;
+
   bool hasWeld() const { return kind != WeldKind::None; }
 };
 }  // namespace weld_profiler
