@@ -198,6 +198,7 @@ JsonObject weldRecord(const Scan& scan, const WeldEvaluation& evaluation, const 
       .add("grinding_reason", evaluation.plan.reason)
       .add("ripple_pitch", json(result.ripple_pitch))
       .add("ripple_height", json(result.ripple_height))
+      .add("runs_out", result.runs_out)
       .add("unseen_pores", unseenOf(result.unseen_pores))
       .add("statistics", statisticsOf(result))
       .add("other_beads", othersOf(result))

@@ -150,6 +150,16 @@ void noteUnseen(const WeldJudge& judge, const WeldToJudge& weld, std::vector<std
   notes.push_back(text.str());
 }
 
+void noteShort(const WeldToJudge& weld, const WeldVerdict& verdict, std::vector<std::string>& notes)
+{
+  const auto open = [](const VerdictRow& row)
+  { return row.rule == LevelLimit::Rule::Short && row.decision == Decision::Undecided && row.length > 0.0; };
+  if (weld.runs_out && std::any_of(verdict.rows.begin(), verdict.rows.end(), open))
+    notes.emplace_back(
+        "the weld runs out of the scan: what is too long for a short imperfection of the length that was "
+        "seen may be one of the whole");
+}
+
 void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, WeldVerdict& verdict)
 {
   const LevelVerdict together = combine(parts);
@@ -188,7 +198,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
     result.notes.emplace_back("no weld was measured: there is nothing to judge");
     return result;
   }
-  const VerdictRows rows(*this, weld.kind, sections, seenLength(*weld.sections));
+  const VerdictRows rows(*this, weld.kind, sections, SeenLength{ seenLength(*weld.sections), weld.runs_out });
   result.length = rows.length();
   std::vector<VerdictPart> parts;
   for (const Imperfection imperfection : imperfections())
@@ -209,6 +219,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
   noteRows(*this, rows, result, result.notes);
   noteHollows(weld, result.notes);
   noteUnseen(*this, weld, result.notes);
+  noteShort(weld, result, result.notes);
   if (result.waiting.sections > 0)
     result.notes.push_back(result.waiting.text());
   return result;

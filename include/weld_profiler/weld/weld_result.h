@@ -83,6 +83,7 @@ struct WeldResult
   std::vector<float> target;         ///< rows x cells, z of the target surface at the point, NaN unknown [m]
 
   UnseenPores unseen_pores;
+  bool runs_out = false;  ///< of the scan, at either end: the weld may be longer than was seen
 
   bool hasWeld() const { return kind != WeldKind::None; }
 };
