@@ -72,7 +72,32 @@ bool showsFace(const ScanGrid& grid, int row, int column, const std::vector<std:
   }
   return false;
 }
+
+/// Of places that follow one another from a point on, those up to the next that was measured.
+std::size_t missingBeside(const ScanGrid& grid, std::size_t point, int step)
+{
+  const int row = static_cast<int>(point / static_cast<std::size_t>(grid.cells));
+  const int from = static_cast<int>(point % static_cast<std::size_t>(grid.cells)) + step;
+  int column = from;
+  while (column >= 0 && column < grid.cells && !std::isfinite(grid.z[grid.at(row, column)]))
+    column += step;
+  return static_cast<std::size_t>(std::abs(column - from));
+}
 }  // namespace
+
+std::size_t hiddenBeside(const ScanGrid& grid, const std::vector<std::size_t>& pit)
+{
+  std::size_t hidden = 0;
+  for (const std::size_t i : pit)
+  {
+    for (const int step : { -1, 1 })
+    {
+      const std::size_t missing = missingBeside(grid, i, step);
+      hidden += static_cast<double>(missing) * grid.spacing > kWide ? missing : 0;
+    }
+  }
+  return hidden;
+}
 
 double faceAround(const ScanGrid& grid, const std::vector<std::size_t>& pit, const std::vector<std::uint8_t>& face)
 {

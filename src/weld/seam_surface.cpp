@@ -5,7 +5,6 @@
 
 #include "column_medians.h"
 #include "hollows.h"
-#include "known_bead.h"
 #include "statistics.h"
 #include "toe_sway.h"
 
@@ -64,7 +63,7 @@ SeamSurface::SeamSurface(const SeamSections& sections, const SectionSampler& sam
 void SeamSurface::takeOut(std::vector<float>& rises)
 {
   const auto columns = static_cast<std::size_t>(bins_), last = columns - 1 - static_cast<std::size_t>(kOutside);
-  hollow_ = takeOutHollows(SectionStack{ sections_.places(), rises, known_, columns, kOutside, last, kBin });
+  hollow_ = takeOutHollows(SectionStack{ sections_.places(), rises, course_.known, columns, kOutside, last, kBin });
 }
 
 /// Medians of what is clean, else of all.
@@ -112,7 +111,7 @@ void SeamSurface::findKnown(const std::vector<float>& sampled)
     const auto face = sampled.begin() + static_cast<std::ptrdiff_t>(k) * bins_ + kOutside;
     levels.push_back(median(std::vector<double>(face, face + inside_ + 1)));
   }
-  known_ = knownBead(sections_, levels);
+  course_ = beadCourse(sections_, levels);
 }
 
 double SeamSurface::binOf(std::size_t k, double q) const
@@ -222,7 +221,7 @@ double SeamSurface::alongSlack(std::size_t k, const PathPlace& place, double bin
 {
   // where a bead ends and its toes close in, what lies between them is not known
   const bool beside = zones_.slack(place.s) > 0.0 && std::abs(place.s - sections_.places()[k]) > kBeyond;
-  if (((known_[k] == 0 || beside) && onFace(k, place.q)) || atSwayingToe(k, place.q))
+  if (((course_.known[k] == 0 || beside) && onFace(k, place.q)) || atSwayingToe(k, place.q))
     return INFINITY;
   const std::size_t before = k - std::min(k, kAlongSections),
                     after = std::min(k + kAlongSections, sections_.size() - 1);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "known_bead.h"
 #include "seam_sections.h"
 #include "seam_zones.h"
 
@@ -24,6 +25,7 @@ public:
   SeamSurface(const SeamSections& sections, const SectionSampler& sampler, const std::vector<std::uint8_t>& without);
 
   std::size_t size() const { return sections_.size(); }
+  double placeOf(std::size_t k) const { return sections_.places()[k]; }
   std::size_t nearestSection(double s) const { return zones_.nearestSection(s); }
   bool onFace(std::size_t k, double q) const { return zones_.zone(k, q) == Zone::Weld; }
   /// How a point between the toes lies to the nearer plate: 1 above it, 0 on it, -1 below.
@@ -53,6 +55,16 @@ public:
   /// Departures beyond this are no part of the surface; more is let pass where no section lies [m].
   double tolerance(std::size_t k, const PathPlace& place) const;
 
+  /// Whether what lies lower at a place near section k may be the bead that ends. Between a section and one where it
+  /// is ending nothing tells where that begins.
+  bool isEnding(std::size_t k, double s) const
+  {
+    constexpr double kAtSection = 1e-5;  // rows' points lie this near to their section [m]
+    const double beyond = s - placeOf(k);
+    const std::size_t next = beyond > 0.0 ? std::min(k + 1, size() - 1) : k - std::min<std::size_t>(k, 1);
+    return course_.ending[k] != 0 || (std::abs(beyond) > kAtSection && course_.ending[next] != 0);
+  }
+
 private:
   /// Position in the stack of bins: whole numbers are bins' middles; negative = beyond the stack.
   double binOf(std::size_t k, double q) const;
@@ -76,7 +88,7 @@ private:
   std::vector<std::uint8_t> hollow_;  ///< sections x bins, whether it is; empty = none is
   double parent_tolerance_ = 0.0;
   std::vector<double> sway_left_, sway_right_;  ///< of each section's toes [m]
-  std::vector<std::uint8_t> known_;             ///< of each section, whether what lies between its toes can be told
+  BeadCourse course_;
 };
 }  // namespace weld
 }  // namespace weld_profiler

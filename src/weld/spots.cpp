@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bead_ends.h"
 #include "pit_chance.h"
 #include "pit_rim.h"
 #include "stray_excess.h"
@@ -31,8 +32,12 @@ constexpr double kUnseen = 0.5;
 class StraySearch
 {
 public:
-  StraySearch(const ScanGrid& grid, const SectionSampler& sampler, StrayExcess found)
-    : grid_(grid), sampler_(sampler), found_(std::move(found)), excess_(found_.tolerances)
+  StraySearch(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface, StrayExcess found)
+    : grid_(grid),
+      sampler_(sampler),
+      found_(std::move(found)),
+      excess_(found_.tolerances),
+      ends_(grid, sampler, surface, found_)
   {
   }
 
@@ -126,24 +131,20 @@ private:
     return found;
   }
 
-  template <class Is>
-  static bool any(const Found& found, Is&& is)
-  {
-    return std::any_of(found.points.begin(), found.points.end(), is);
-  }
-
   /// Where a bead is narrower than beside, what lies lower than its face there is the plate, from the toe on.
   bool isWaist(const Found& found) const
   {
     const auto plate_at_toe = [this](std::size_t i) { return found_.over_plate[i] == 0 && found_.at_toe[i] != 0; };
-    return found.spot.kind == WeldSpot::Kind::Pore && found.on_plate && any(found, plate_at_toe);
+    return found.spot.kind == WeldSpot::Kind::Pore && found.on_plate &&
+           std::any_of(found.points.begin(), found.points.end(), plate_at_toe);
   }
 
   /// Likewise where its flank lies farther inward: open to a toe, and nowhere deeper than the plate.
   bool isFlank(const Found& found) const
   {
-    return any(found, [this](std::size_t i) { return found_.at_toe[i] != 0; }) &&
-           !any(found, [this](std::size_t i) { return found_.over_plate[i] < 0; });
+    const std::vector<std::size_t>& points = found.points;
+    return std::any_of(points.begin(), points.end(), [this](std::size_t i) { return found_.at_toe[i] != 0; }) &&
+           std::none_of(points.begin(), points.end(), [this](std::size_t i) { return found_.over_plate[i] < 0; });
   }
 
   void takeSpot(std::size_t start, Strays& strays)
@@ -157,6 +158,8 @@ private:
     // what lies below a plate is no pore of the weld
     const bool foreign = (pit && !found.on_face) || found.extent > kWidest;
     const Stray kind = foreign ? Stray::Foreign : pit ? Stray::Pore : Stray::Spatter;
+    if (kind == Stray::Spatter && ends_.make(found.points, kClear))
+      return;
     const double rim = kRim + (kind == Stray::Pore ? found.hidden : 0.0);
     for (const std::size_t i : found.points)
     {
@@ -179,7 +182,7 @@ private:
 
   void addHollow(const Found& pit, Strays& strays) const
   {
-    if (isFlank(pit))
+    if (isFlank(pit) || ends_.make(pit.points, kClear))
       return;
     WeldSpot spot = pit.spot;
     spot.diameter.sigma = std::hypot(spot.diameter.sigma, kUnseen * spot.diameter.value);
@@ -202,7 +205,9 @@ private:
     for (const Found& pit : pits_)
     {
       const bool shallow = -pit.spot.height.value < kDeepest * pit.spot.diameter.value;
-      if (shallow && !chance_.mayMake(pit.points) && faceAround(grid_, pit.points, face) >= kRimSeen)
+      const bool seen = hiddenBeside(grid_, pit.points) <= pit.points.size();
+      if (shallow && seen && !chance_.mayMake(pit.points) && !ends_.reachedBy(pit.points) &&
+          faceAround(grid_, pit.points, face) >= kRimSeen)
         strays.spots.push_back(pit.spot);
       else
       {
@@ -230,6 +235,7 @@ private:
   const SectionSampler& sampler_;
   const StrayExcess found_;
   const std::vector<float>& excess_;  ///< departure over tolerance
+  const BeadEnds ends_;
   PitChance chance_{ grid_, kFewest };
   std::vector<Found> pits_;
   std::vector<std::uint8_t> seen_;
@@ -239,7 +245,7 @@ private:
 Strays findStrays(const ScanGrid& grid, const SectionSampler& sampler, const SeamSurface& surface,
                   const std::vector<std::uint8_t>& without)
 {
-  return StraySearch(grid, sampler, strayExcess(grid, sampler, surface, without))(without);
+  return StraySearch(grid, sampler, surface, strayExcess(grid, sampler, surface, without))(without);
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -59,9 +59,9 @@ struct WeldResult
   std::string reason;                 ///< why there is no weld, or what could not be measured; empty = nothing to say
   std::vector<WeldSection> sections;  ///< rising s
   std::vector<WeldSpot> spots;
-  /// Pits in the face that may be pores or not: they touch a toe, a ball of spatter or what was not measured, are no
-  /// pore's shape, or no more than the outliers of the scan make. Sigma of the diameter: half of it, for as much may be
-  /// hidden.
+  /// Pits in the face that may be pores or not: they touch a toe, a ball of spatter, an end of the bead or what was not
+  /// measured, are no pore's shape, or no more than the outliers of the scan make. Sigma of the diameter: half of it, for
+  /// as much of it may be hidden.
   std::vector<WeldSpot> hollows;
   std::vector<WeldPathPoint> path;  ///< one a section
   std::vector<OtherBead> other_beads;
