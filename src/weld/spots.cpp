@@ -196,10 +196,8 @@ private:
       return;
     std::vector<std::uint8_t> face = found_.on_face, ball(face.size(), 0);
     for (std::size_t i = 0; i < face.size(); ++i)
-    {
       if (strays.kind[i] == Stray::Spatter)
         maskAround(grid_, i, kRim, ball);
-    }
     for (std::size_t i = 0; i < face.size(); ++i)
       face[i] = face[i] != 0 && strays.kind[i] == Stray::None && ball[i] == 0 ? 1 : 0;
     for (const Found& pit : pits_)
