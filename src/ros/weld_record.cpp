@@ -52,6 +52,12 @@ double ageInDays(const std::string& date, const Scan& scan)
   return std::difftime(seconds(scan), timegm(&parts)) / kDay;
 }
 
+JsonObject unseenOf(const UnseenPores& unseen)
+{
+  JsonObject object;
+  return object.add("round", unseen.round).add("shallow", unseen.shallow);
+}
+
 JsonObject statisticsOf(const WeldResult& result)
 {
   JsonObject all;
@@ -193,6 +199,8 @@ JsonObject weldRecord(const Scan& scan, const WeldEvaluation& evaluation, const 
       .add("grinding_reason", evaluation.plan.reason)
       .add("ripple_pitch", json(result.ripple_pitch))
       .add("ripple_height", json(result.ripple_height))
+      .add("runs_out", result.runs_out)
+      .add("unseen_pores", unseenOf(result.unseen_pores))
       .add("statistics", statisticsOf(result))
       .add("other_beads", othersOf(result))
       .add("verdict", verdictOf(evaluation, settings))

@@ -234,14 +234,14 @@ WeldResult Measuring::operator()()
   {
     add(result.reason, "no section could be measured");
     result.kind = WeldKind::None;
-    result.sections.clear();
-    result.path.clear();
+    result.sections.clear(), result.path.clear();
     return result;
   }
   summarise(*sections_, params_, result);
   fillResultMaps(result);
   result.spots = strays_.spots;
   result.hollows = strays_.hollows;
+  result.unseen_pores = strays_.unseen;
   dropPoresBeyondEnds(result);
   sayWhatIsMissing(result);
   return result;

@@ -147,6 +147,7 @@ void fillMaps(const SeamView& view, const std::vector<double>& undercut_left, co
               const WeldParams& params, WeldResult& result)
 {
   MapFiller(view, undercut_left, undercut_right, params)(result);
+  result.runs_out = !view.begins || !view.ends;
 }
 }  // namespace weld
 }  // namespace weld_profiler

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "bead_ends.h"
+#include "pit_chance.h"
 #include "pit_rim.h"
 #include "stray_excess.h"
+#include "unseen_pores.h"
 
 namespace weld_profiler
 {
@@ -16,7 +18,6 @@ namespace
 constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kFewest = 6;    // points of a spot
 constexpr double kWidest = 4e-3;      // [m]
-constexpr double kClear = 1.5;        // tolerances that a spot's top must reach
 constexpr double kRim = 1.3e-4;       // around a stray the surface is blurred with it [m]
 constexpr double kOfTolerance = 0.5;  // the foot of a stray reaches down to this share of the tolerance
 // of a pore's rim must be seen on the face: what is open to a side may as well be the gap between two balls of spatter,
@@ -53,6 +54,7 @@ public:
         takeSpot(i, strays);
     }
     judgePits(strays);
+    strays.unseen = unseenPores(grid_, found_.unseen_depth);
     keep(without, strays);
     for (std::vector<WeldSpot>* spots : { &strays.spots, &strays.hollows })
       std::sort(spots->begin(), spots->end(), [](const WeldSpot& a, const WeldSpot& b) { return a.s < b.s; });
@@ -117,7 +119,8 @@ private:
       spot.height = Quantity{ static_cast<double>(found_.height[i]), static_cast<double>(grid_.sigma[i]) };
     }
     found.extent = std::max(most_x - least_x, most_y - least_y);
-    spot.kind = spot.height.value > 0.0 ? WeldSpot::Kind::Spatter : WeldSpot::Kind::Pore;
+    // its side of what is around it: ripples may lift or lower both
+    spot.kind = excess_[points.front()] > 0.0F ? WeldSpot::Kind::Spatter : WeldSpot::Kind::Pore;
     const double cell = grid_.spacing * (std::isfinite(grid_.pitch) ? grid_.pitch : grid_.spacing);
     const double diameter = std::sqrt(4.0 / kPi * cell * static_cast<double>(points.size()));
     // the walls of a pore are steep, or round: if they are a paraboloid's, what lies above the foot is wider by so much
@@ -128,32 +131,30 @@ private:
     return found;
   }
 
-  template <class Is>
-  static bool any(const Found& found, Is&& is)
-  {
-    return std::any_of(found.points.begin(), found.points.end(), is);
-  }
-
   /// Where a bead is narrower than beside, what lies lower than its face there is the plate, from the toe on.
   bool isWaist(const Found& found) const
   {
     const auto plate_at_toe = [this](std::size_t i) { return found_.over_plate[i] == 0 && found_.at_toe[i] != 0; };
-    return found.spot.kind == WeldSpot::Kind::Pore && found.on_plate && any(found, plate_at_toe);
+    return found.spot.kind == WeldSpot::Kind::Pore && found.on_plate &&
+           std::any_of(found.points.begin(), found.points.end(), plate_at_toe);
   }
 
   /// Likewise where its flank lies farther inward: open to a toe, and nowhere deeper than the plate.
   bool isFlank(const Found& found) const
   {
-    return any(found, [this](std::size_t i) { return found_.at_toe[i] != 0; }) &&
-           !any(found, [this](std::size_t i) { return found_.over_plate[i] < 0; });
+    const std::vector<std::size_t>& points = found.points;
+    return std::any_of(points.begin(), points.end(), [this](std::size_t i) { return found_.at_toe[i] != 0; }) &&
+           std::none_of(points.begin(), points.end(), [this](std::size_t i) { return found_.over_plate[i] < 0; });
   }
 
   void takeSpot(std::size_t start, Strays& strays)
   {
     Found found = describe(connected(start));
+    const bool pit = found.spot.kind == WeldSpot::Kind::Pore;
+    if (pit && found.on_face)
+      chance_.look(found.points);
     if (found.points.size() < kFewest || found.top < kClear || isWaist(found))
       return;
-    const bool pit = found.spot.kind == WeldSpot::Kind::Pore;
     // what lies below a plate is no pore of the weld
     const bool foreign = (pit && !found.on_face) || found.extent > kWidest;
     const Stray kind = foreign ? Stray::Foreign : pit ? Stray::Pore : Stray::Spatter;
@@ -195,17 +196,16 @@ private:
       return;
     std::vector<std::uint8_t> face = found_.on_face, ball(face.size(), 0);
     for (std::size_t i = 0; i < face.size(); ++i)
-    {
       if (strays.kind[i] == Stray::Spatter)
         maskAround(grid_, i, kRim, ball);
-    }
     for (std::size_t i = 0; i < face.size(); ++i)
       face[i] = face[i] != 0 && strays.kind[i] == Stray::None && ball[i] == 0 ? 1 : 0;
     for (const Found& pit : pits_)
     {
       const bool shallow = -pit.spot.height.value < kDeepest * pit.spot.diameter.value;
       const bool seen = hiddenBeside(grid_, pit.points) <= pit.points.size();
-      if (shallow && seen && !ends_.reachedBy(pit.points) && faceAround(grid_, pit.points, face) >= kRimSeen)
+      if (shallow && seen && !chance_.mayMake(pit.points) && !ends_.reachedBy(pit.points) &&
+          faceAround(grid_, pit.points, face) >= kRimSeen)
         strays.spots.push_back(pit.spot);
       else
       {
@@ -234,6 +234,7 @@ private:
   const StrayExcess found_;
   const std::vector<float>& excess_;  ///< departure over tolerance
   const BeadEnds ends_;
+  PitChance chance_{ grid_, kFewest };
   std::vector<Found> pits_;
   std::vector<std::uint8_t> seen_;
 };

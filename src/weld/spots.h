@@ -28,6 +28,7 @@ struct Strays
   std::vector<WeldSpot> hollows;     ///< pits in the face that may be pores or not, rising s
   double widest_ball = 0.0;          ///< diameter [m]
   double widest_pit = 0.0;           ///< in the face, be it a pore or not [m]
+  UnseenPores unseen;                ///< that may be there beside the spots
 };
 
 /// Points beyond the surface's tolerance that hang together make a spot, from 6 points on; one wider than 4 mm is

@@ -25,6 +25,7 @@ constexpr float kNoCrest = 3.0F;
 constexpr float kNoTrough = -2.0F;
 constexpr std::size_t kSampled = 97;  // every so many points tell the scatter
 constexpr double kAtToe = 4e-4;       // [m]
+constexpr double kSeen = 0.75;        // of the face tells a pit as deep as is said
 constexpr double kFoot = 0.4;         // of a tolerance: what departs by less is of no stray's foot
 
 class ExcessFinder
@@ -151,15 +152,44 @@ private:
     }
   }
 
+  /// A place of the face, and whether it is held against its neighbours.
+  struct Looked
+  {
+    std::size_t at;
+    bool near;
+  };
+
+  /// What a pit's bottom may depart by without being told. @param tolerance  against neighbours.
+  double unseenDepth(const std::vector<Looked>& looked, double tolerance) const
+  {
+    std::vector<double> depths;
+    for (const Looked& one : looked)
+    {
+      const PathPlace place = sampler_.place(one.at);
+      const std::size_t k = surface_.nearestSection(place.s);
+      const double alone = surface_.tolerance(k, place);
+      depths.push_back(one.near ? std::min(-static_cast<double>(kNoTrough) * alone,
+                                           kClear * (tolerance + surface_.alongSlack(k, place)))
+                                : kClear * alone);
+    }
+    if (depths.empty())
+      return INFINITY;
+    const auto at = depths.begin() + static_cast<std::ptrdiff_t>(kSeen * static_cast<double>(depths.size()));
+    std::nth_element(depths.begin(), at, depths.end());
+    return *at;
+  }
+
   void holdAgainstNeighbours()
   {
     lookAcross();
     std::vector<double> sampled;
+    std::vector<Looked> looked;
     for (std::size_t i = 0; i < grid_.z.size(); i += kSampled)
     {
       if (!onFace(i))
         continue;
       const Neighbours near = neighbours(i);
+      looked.push_back({ i, near.enough() });
       if (near.enough())
         sampled.push_back(static_cast<double>(result_.height[i]) - near.middle());
     }
@@ -167,6 +197,7 @@ private:
     if (!std::isfinite(scatter))
       return;
     const double tolerance = std::max(static_cast<double>(kLeast), kSigmas * scatter);
+    result_.unseen_depth = unseenDepth(looked, tolerance);
     for (std::size_t i = 0; i < grid_.z.size(); ++i)
     {
       if (std::abs(result_.height[i]) < kLeast || !mayBeRipple(i) || !onFace(i))

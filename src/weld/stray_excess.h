@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "seam_surface.h"
@@ -8,6 +9,8 @@ namespace weld_profiler
 {
 namespace weld
 {
+constexpr double kClear = 1.5;  ///< tolerances that a spot's top must reach
+
 /// How far each point of the grid departs from the surface.
 struct StrayExcess
 {
@@ -17,6 +20,7 @@ struct StrayExcess
   std::vector<std::uint8_t> at_toe;     ///< of these, whether a toe is near
   std::vector<float> tolerances;        ///< the same in units of what the surface itself departs by
   std::vector<std::uint8_t> known;      ///< whether a point can be judged
+  double unseen_depth = INFINITY;       ///< pits less deep are not told in a quarter of the face [m]
 };
 
 /// Points are held against the median of the sections around; on the face also against their neighbours across the

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "verdict_level.h"
 #include "verdict_rows.h"
 
@@ -20,16 +22,25 @@ std::vector<Place> poresOf(const WeldToJudge& weld)
     pore.value = spot.diameter;
     pores.push_back(pore);
   }
-  if (pores.empty())
-  {
-    // no pore: the largest has no diameter, and lies nowhere
-    pores.emplace_back();
-    pores.front().s = std::numeric_limits<double>::quiet_NaN();
-    pores.front().value = { 0.0, 0.0 };
-  }
   return pores;
 }
+
+/// Of those that were not seen the largest has no diameter, or at 2 sigma that of what would not have been; it lies
+/// nowhere.
+Place unseenPore(const WeldToJudge& weld)
+{
+  Place pore;
+  pore.s = std::numeric_limits<double>::quiet_NaN();
+  pore.value = { 0.0, 0.5 * hiddenPore(weld.unseen_pores) };
+  return pore;
+}
 }  // namespace
+
+double hiddenPore(const UnseenPores& unseen)
+{
+  constexpr double kVisible = 5e-4;  // docs/verdict.md: what visual testing resolves [m]
+  return unseen.round > kVisible ? unseen.shallow : 0.0;
+}
 
 double VerdictRows::beadLength() const
 {
@@ -48,8 +59,7 @@ std::vector<VerdictRow> VerdictRows::poreRows(const WeldToJudge& weld) const
     VerdictRow row = emptyRow(Imperfection::SurfacePore, level, entry);
     row.measured = beadLength();
     const bool limited = entry != nullptr && row.rule != LevelLimit::Rule::Permitted;
-    std::vector<Place> pores = poresOf(weld);
-    for (Place& pore : pores)
+    const auto hold = [&](Place& pore)
     {
       Comparison comparison;
       if (limited)
@@ -58,8 +68,14 @@ std::vector<VerdictRow> VerdictRows::poreRows(const WeldToJudge& weld) const
         comparison.margin = { -pore.value.value, pore.value.sigma };
       pore.limit = comparison.limit;
       pore.margin = comparison.margin;
-    }
-    const SizeDecision size = decideSize(pores, pores);
+    };
+    std::vector<Place> pores = poresOf(weld), unseen{ unseenPore(weld) };
+    std::for_each(pores.begin(), pores.end(), hold);
+    hold(unseen.front());
+    const SizeDecision seen = decideSize(pores, pores), hidden = decideSize(unseen, unseen);
+    const bool counts =
+        pores.empty() || (limited && seen.decision == Decision::Pass && hidden.decision != Decision::Pass);
+    const SizeDecision& size = counts ? hidden : seen;
     setPlace(size.place, limited, row);
     // none is looked for between toes that are not known
     if (limited)

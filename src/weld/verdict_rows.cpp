@@ -70,12 +70,13 @@ bool lone(const CellWeights& cells)
 }
 }  // namespace
 
-VerdictRows::VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections, double seen)
-  : judge_(judge), kind_(kind), sections_(sections), cells_(cellsOf(positions(sections)))
+VerdictRows::VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections,
+                         const SeenLength& seen)
+  : judge_(judge), kind_(kind), sections_(sections), cells_(cellsOf(positions(sections))), longer_(seen.longer)
 {
   if (!cells_.empty())
     length_ = cells_.back().end - cells_.front().begin;
-  needed_ = judge.params().min_measured_share * std::max(length_, kOfSeen * seen) - kRounding;
+  needed_ = judge.params().min_measured_share * std::max(length_, kOfSeen * seen.seen) - kRounding;
 }
 
 std::vector<Place> VerdictRows::places(const SizeSeries& series, const LimitEntry* entry, QualityLevel level) const
@@ -150,9 +151,11 @@ void VerdictRows::judgeLength(const std::vector<SizeSeries>& all, const std::vec
   const ShortRule& rule = judge_.limits().shortRule();
   const double window = std::min(rule.per, length_);
   const double allowed = length_ < rule.per - kRounding ? rule.share * length_ : rule.length;
+  // the more of a longer weld, up to what any may have
+  const double most_allowed = longer_ ? std::max(allowed, rule.length) : allowed;
   row.length = mostWithin(likely.stretches(), window);
   row.verified = row.verified && rule.verified;
-  if (mostWithin(certain.stretches(), window) > allowed + kRounding)
+  if (mostWithin(certain.stretches(), window) > most_allowed + kRounding)
     row.decision = Decision::Fail;
   else if (row.decision == Decision::Pass && (mostWithin(most, window) > allowed + kRounding || lone(possible)))
     row.decision = Decision::Undecided;

@@ -22,14 +22,23 @@ VerdictRow emptyRow(Imperfection imperfection, QualityLevel level, const LimitEn
 /// Puts the place that decides into a row. @param with_limit  false = there is no limit: the size alone.
 void setPlace(const Place& place, bool with_limit, VerdictRow& row);
 
+/// The length over which a weld was seen, measured or not.
+struct SeenLength
+{
+  double seen = 0.0;    ///< [m]
+  bool longer = false;  ///< whether the weld may go on beyond
+};
+
+/// Diameter of the largest pore that counts and may be there unseen [m].
+double hiddenPore(const UnseenPores& unseen);
+
 /// Makes the rows of verdict.csv of one weld.
 class VerdictRows
 {
 public:
   /// @param sections  of the weld from its first bead to its last, s rising. Must outlive the object, as judge must.
-  /// @param seen      length over which the weld was seen, measured or not [m].
   /// @throws PreconditionError if s does not rise.
-  VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections, double seen);
+  VerdictRows(const WeldJudge& judge, WeldKind kind, const std::vector<WeldSection>& sections, const SeenLength& seen);
 
   /// B, C, D. @param decides  false = it was not asked for: measured, not judged.
   std::vector<VerdictRow> rows(Imperfection imperfection, bool decides) const;
@@ -57,5 +66,6 @@ private:
   std::vector<Stretch> cells_;
   double length_ = 0.0;
   double needed_ = 0.0;
+  bool longer_ = false;
 };
 }  // namespace weld_profiler

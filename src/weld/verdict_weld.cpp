@@ -134,8 +134,30 @@ void noteHollows(const WeldToJudge& weld, std::vector<std::string>& notes)
   text.precision(2);
   text << std::fixed << weld.hollows->size() << (weld.hollows->size() == 1 ? " hollow" : " hollows, the widest")
        << " of " << widest->diameter.value * kMmPerMetre << " mm at s = " << widest->s * kMmPerMetre
-       << " mm: a pore or none, it was not seen whole";
+       << " mm: a pore or none, it was not seen whole, or no more than stray points";
   notes.push_back(text.str());
+}
+
+void noteUnseen(const WeldJudge& judge, const WeldToJudge& weld, std::vector<std::string>& notes)
+{
+  const double hidden = hiddenPore(weld.unseen_pores);
+  if (!(hidden > 0.0) || weld.spots == nullptr || judge.entry(Imperfection::SurfacePore, weld.kind) == nullptr)
+    return;
+  std::ostringstream text;
+  text.precision(2);
+  text << std::fixed << "a pore of up to " << hidden * kMmPerMetre
+       << " mm, a quarter as deep, would not be seen on this face: its ripples are high, or its rows far apart";
+  notes.push_back(text.str());
+}
+
+void noteShort(const WeldToJudge& weld, const WeldVerdict& verdict, std::vector<std::string>& notes)
+{
+  const auto open = [](const VerdictRow& row)
+  { return row.rule == LevelLimit::Rule::Short && row.decision == Decision::Undecided && row.length > 0.0; };
+  if (weld.runs_out && std::any_of(verdict.rows.begin(), verdict.rows.end(), open))
+    notes.emplace_back(
+        "the weld runs out of the scan: what is too long for a short imperfection of the length that was "
+        "seen may be one of the whole");
 }
 
 void conclude(const WeldJudge& judge, const std::vector<VerdictPart>& parts, WeldVerdict& verdict)
@@ -213,7 +235,7 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
     result.notes.emplace_back("no weld was measured: there is nothing to judge");
     return result;
   }
-  const VerdictRows rows(*this, weld.kind, sections, seenLength(*weld.sections));
+  const VerdictRows rows(*this, weld.kind, sections, SeenLength{ seenLength(*weld.sections), weld.runs_out });
   result.length = rows.length();
   std::vector<VerdictPart> parts;
   for (const Imperfection imperfection : imperfections())
@@ -236,6 +258,8 @@ WeldVerdict WeldJudge::judge(const WeldToJudge& weld) const
   noteLength(result, result.notes);
   noteRows(*this, rows, result, result.notes);
   noteHollows(weld, result.notes);
+  noteUnseen(*this, weld, result.notes);
+  noteShort(weld, result, result.notes);
   if (result.waiting.sections > 0)
     result.notes.push_back(result.waiting.text());
   return result;

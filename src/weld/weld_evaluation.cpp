@@ -18,7 +18,8 @@ WeldEvaluation WeldEvaluator::evaluate(const Scan& scan) const
     return evaluation;
   for (const WeldSection& section : result.sections)
     evaluation.section_verdicts.push_back(judge_.judge(result.kind, section));
-  evaluation.verdict = judge_.judge(WeldToJudge{ result.kind, &result.sections, &result.spots, &result.hollows });
+  evaluation.verdict = judge_.judge(WeldToJudge{ result.kind, &result.sections, &result.spots, &result.hollows,
+                                                 result.unseen_pores, result.runs_out });
   const Imperfection height = result.kind == WeldKind::Fillet ? Imperfection::Convexity : Imperfection::ExcessWeldMetal;
   if (const LimitEntry* entry = judge_.entry(height, result.kind))
     evaluation.height_limits = *entry;

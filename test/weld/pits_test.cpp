@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -170,6 +171,43 @@ TEST(Pits, AHoleDeeperThanLightReachesIsNoPore)
     { return weld(x, y) - (std::hypot(x + 0.001, y - 0.006) < 2.5e-4 ? depth : 0.0); };
     const WeldResult result = WeldMeasurer().measure(IdealScanner()(surface));
     EXPECT_EQ(result.spots.size(), depth < 5e-4 ? 1u : 0u) << depth;
+  }
+}
+
+TEST(Pits, WhatTheScansOwnOutliersMakeIsNoPoreForCertain)
+{
+  const IdealWeld weld;
+  // points in a row that lie too low, as glints leave them: rows, first cell, how many
+  struct Outlier
+  {
+    int row, rows, cell, cells;
+  };
+  const auto low = [](std::vector<Outlier> outliers)
+  {
+    return [outliers = std::move(outliers)](double x, double y)
+    {
+      const int row = static_cast<int>(std::lround(y / 2e-4)), cell = static_cast<int>(std::lround(x / 4.2e-5));
+      const bool hit = std::any_of(
+          outliers.begin(), outliers.end(),
+          [&](const Outlier& one)
+          { return row >= one.row && row < one.row + one.rows && cell >= one.cell && cell < one.cell + one.cells; });
+      return IdealWeld()(x, y) - (hit ? 2.5e-4 : 0.0);
+    };
+  };
+  const Outlier in_one_row{ 30, 1, 0, 9 }, in_three{ 30, 3, 0, 5 };
+  struct Case
+  {
+    std::vector<Outlier> outliers;
+    std::size_t pores, hollows;
+  };
+  const std::vector<Outlier> small{ { 10, 1, 20, 4 }, { 20, 1, -30, 5 }, { 45, 1, 40, 4 }, { 50, 1, -10, 5 } };
+  std::vector<Outlier> with_small = small;
+  with_small.push_back(in_three);
+  for (const Case& one : { Case{ { in_one_row }, 0, 1 }, Case{ { in_three }, 1, 0 }, Case{ with_small, 0, 1 } })
+  {
+    const WeldResult result = WeldMeasurer().measure(IdealScanner()(low(one.outliers)));
+    EXPECT_EQ(result.spots.size(), one.pores) << one.outliers.size();
+    EXPECT_EQ(result.hollows.size(), one.hollows) << one.outliers.size();
   }
 }
 }  // namespace weld_profiler

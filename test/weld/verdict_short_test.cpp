@@ -16,6 +16,22 @@ TEST(ShortImperfections, OfAShortWeldAreAQuarterOfIt)
   }
 }
 
+TEST(ShortImperfections, MayBeShortOfAWeldThatGoesOnBeyondTheScan)
+{
+  const std::vector<WeldSpot> spots;
+  for (const auto& c : { std::make_pair(14.0, Decision::Pass), std::make_pair(16.0, Decision::Undecided),
+                         std::make_pair(26.0, Decision::Fail) })
+  {
+    std::vector<WeldSection> sections = goodWeld(0.06);
+    cut(sections, 5.0, 5.0 + c.first);
+    WeldToJudge weld{ WeldKind::Butt, &sections, &spots };
+    weld.runs_out = true;
+    const WeldVerdict verdict = WeldJudge(plate(2.0)).judge(weld);
+    EXPECT_EQ(shortRow(verdict).decision, c.second) << c.first << " mm of 60 mm seen";
+    EXPECT_EQ(verdict.notes.back().find("the weld runs out of the scan") == 0, c.second == Decision::Undecided);
+  }
+}
+
 TEST(ShortImperfections, OfALongWeldAreCountedInAnyHundredMillimetres)
 {
   // two cuts of 15 mm, their outer ends 110 mm apart: at most 20 mm lie within any 100 mm

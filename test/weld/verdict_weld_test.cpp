@@ -142,6 +142,34 @@ TEST(WeldVerdict, AHollowThatMayBeAPoreFailsNothingAndPassesWhatOneTwiceAsWideWo
                           { return note.find("hollow of 0.60 mm at s = 20.00 mm") != std::string::npos; }));
 }
 
+TEST(WeldVerdict, PassesNoLevelWhoseLimitAnUnseenPoreMayBeBeyond)
+{
+  const std::vector<WeldSection> sections = goodWeld(0.05);
+  std::vector<WeldSpot> spots;
+  const WeldJudge judge(plate(5.0));
+  const auto decisions = [&](double round, double shallow)
+  {
+    const WeldVerdict verdict =
+        judge.judge(WeldToJudge{ WeldKind::Butt, &sections, &spots, nullptr, UnseenPores{ round, shallow } });
+    std::array<Decision, 3> all{};
+    for (const QualityLevel level : kQualityLevels)
+      all[static_cast<std::size_t>(level)] = rowOf(verdict, Imperfection::SurfacePore, level).decision;
+    const bool said =
+        std::any_of(verdict.notes.begin(), verdict.notes.end(),
+                    [](const std::string& note) { return note.find("a pore of up to 1.20 mm") != std::string::npos; });
+    EXPECT_EQ(said, round > 5e-4);
+    return all;
+  };
+  using All = std::array<Decision, 3>;
+  EXPECT_EQ(decisions(4e-4, 7e-4), (All{ Decision::Pass, Decision::Pass, Decision::Pass }));
+  EXPECT_EQ(decisions(6e-4, 1.2e-3), (All{ Decision::Undecided, Decision::Undecided, Decision::Pass }));
+  WeldSpot pore;
+  pore.kind = WeldSpot::Kind::Pore;
+  pore.diameter = { 0.6e-3, 0.05e-3 };
+  spots.push_back(pore);
+  EXPECT_EQ(decisions(6e-4, 1.2e-3), (All{ Decision::Fail, Decision::Undecided, Decision::Pass }));
+}
+
 TEST(WeldVerdict, NoPoreWhereAQuarterWasNotSeenIsNoPass)
 {
   std::vector<WeldSection> sections = goodWeld(0.05);

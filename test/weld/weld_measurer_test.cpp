@@ -34,6 +34,16 @@ void expectMeasured(const char* what, const Quantity& quantity, double truth, do
 }
 }  // namespace
 
+TEST(WeldMeasurer, SaysWhetherABeadRunsOutOfTheScan)
+{
+  IdealWeld weld;
+  EXPECT_TRUE(WeldMeasurer().measure(IdealScanner()(weld)).runs_out);
+  weld.begin = 0.003;
+  EXPECT_TRUE(WeldMeasurer().measure(IdealScanner()(weld)).runs_out);
+  weld.end = 0.009;
+  EXPECT_FALSE(WeldMeasurer().measure(IdealScanner()(weld)).runs_out);
+}
+
 TEST(WeldMeasurer, MeasuresABeadOnPlate)
 {
   IdealWeld weld;

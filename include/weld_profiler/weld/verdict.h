@@ -118,6 +118,8 @@ struct WeldToJudge
   const std::vector<WeldSection>* sections = nullptr;  ///< along the path, s rising; holes may be missing
   const std::vector<WeldSpot>* spots = nullptr;        ///< null = pores were not looked for
   const std::vector<WeldSpot>* hollows = nullptr;      ///< that may be pores; null = there are none
+  UnseenPores unseen_pores = {};                       ///< that would not be among the spots
+  bool runs_out = false;                               ///< of what was seen: the weld may be longer
 };
 
 /// Judges welds after a table of limits. Immutable: one object may serve several threads. docs/verdict.md has the

@@ -60,7 +60,8 @@ struct WeldResult
   std::vector<WeldSection> sections;  ///< rising s
   std::vector<WeldSpot> spots;
   /// Pits in the face that may be pores or not: they touch a toe, a ball of spatter, an end of the bead or what was not
-  /// measured, or are no pore's shape. Sigma of the diameter: half of it, for as much of it may be hidden.
+  /// measured, are no pore's shape, or no more than the outliers of the scan make. Sigma of the diameter: half of it, for
+  /// as much of it may be hidden.
   std::vector<WeldSpot> hollows;
   std::vector<WeldPathPoint> path;  ///< one a section
   std::vector<OtherBead> other_beads;
@@ -80,6 +81,9 @@ struct WeldResult
   std::vector<std::uint8_t> labels;  ///< rows x cells, WeldLabel
   std::vector<float> removal;        ///< rows x cells, height above the target, >= 0, NaN unknown [m]
   std::vector<float> target;         ///< rows x cells, z of the target surface at the point, NaN unknown [m]
+
+  UnseenPores unseen_pores;
+  bool runs_out = false;  ///< of the scan, at either end: the weld may be longer than was seen
 
   bool hasWeld() const { return kind != WeldKind::None; }
 };

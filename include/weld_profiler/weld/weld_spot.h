@@ -18,4 +18,12 @@ struct WeldSpot
   Quantity diameter;                 ///< of a circle of its area [m]
   Quantity height;                   ///< above (below: < 0) the surface around it [m]
 };
+
+/// Diameters of the largest pores that the face may have without one being told: in a quarter of it ripples, noise and
+/// the distance of the rows would hide them [m].
+struct UnseenPores
+{
+  double round = 0.0;    ///< half as deep as wide
+  double shallow = 0.0;  ///< a quarter as deep as wide
+};
 }  // namespace weld_profiler
