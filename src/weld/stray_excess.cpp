@@ -167,7 +167,7 @@ private:
     {
       const PathPlace place = sampler_.place(one.at);
       const std::size_t k = surface_.nearestSection(place.s);
-      const double alone = surface_.tolerance(k, place);
+      const double alone = surface_.tolerance(k, place, surface_.under(k, place.q));
       depths.push_back(one.near ? std::min(-static_cast<double>(kNoTrough) * alone,
                                            kClear * (tolerance + surface_.alongSlack(k, place)))
                                 : kClear * alone);
