@@ -129,12 +129,16 @@ void trimEnds(const std::vector<Node>& nodes, double seen, double width, Straigh
 }
 
 /// Bulges more than a parent may, which is straight within `flatness` over `parent_length`: a piece of a bead's face.
-/// Told from the medians of the run's thirds, which spatter leaves alone.
-bool bulges(const std::vector<Node>& nodes, const StraightRun& run, double noise, const WeldParams& params)
+/// Told from the medians of thirds, which spatter leaves alone, without the end at the weld, where a toe or an undercut
+/// bends a plate, too.
+/// @param side  of the weld that the run lies on, -1 or 1.
+bool bulges(const std::vector<Node>& nodes, const StraightRun& run, int side, double noise, const WeldParams& params)
 {
   constexpr double kParabola = 3.354;  // its rise over its scatter about a line: sqrt(45 / 4)
-  const int third = (run.end - run.first) / 3;
-  if (third < 2)
+  const int clear = static_cast<int>(kClearShare * (run.end - run.first));
+  const int first = side > 0 ? run.first + clear : run.first, end = side > 0 ? run.end : run.end - clear;
+  const int third = (end - first) / 3;
+  if (third < 1)
     return false;
   std::vector<double> off;
   const auto middle = [&](int from)
@@ -147,9 +151,11 @@ bool bulges(const std::vector<Node>& nodes, const StraightRun& run, double noise
     }
     return medianInPlace(off);
   };
-  const double bulge = middle((run.first + run.end - third) / 2) - 0.5 * (middle(run.first) + middle(run.end - third));
-  const double allowed = 4.0 / 9.0 * kParabola * params.flatness * square(run.length() / params.parent_length);
-  return bulge > allowed + kCertain * noise * std::sqrt(1.5 * M_PI_2 / third);
+  const double bulge = middle((first + end - third) / 2) - 0.5 * (middle(first) + middle(end - third));
+  const double length = nodes[static_cast<std::size_t>(end) - 1].x - nodes[static_cast<std::size_t>(first)].x;
+  const double allowed = 4.0 / 9.0 * kParabola * params.flatness * square(length / params.parent_length);
+  // nodes err alike over a millimetre: a third's median is hardly better than one of them
+  return bulge > allowed + kCertain * noise * std::sqrt(1.5);
 }
 }  // namespace
 
@@ -164,10 +170,11 @@ std::vector<StraightRun> rowParents(const std::vector<Node>& nodes, double noise
                             [&](const StraightRun& run) { return run.length() < params.min_parent_length; }),
              runs.end());
   // what lies between two parents is told from them; the outermost have nothing beyond
-  const auto bulging = [&](const StraightRun& run) { return bulges(nodes, run, noise, params); };
-  while (!runs.empty() && bulging(runs.back()))
+  while (!runs.empty() && bulges(nodes, runs.back(), 1, noise, params))
     runs.pop_back();
-  runs.erase(runs.begin(), std::find_if_not(runs.begin(), runs.end(), bulging));
+  runs.erase(runs.begin(),
+             std::find_if_not(runs.begin(), runs.end(),
+                              [&](const StraightRun& run) { return bulges(nodes, run, -1, noise, params); }));
   return runs;
 }
 
