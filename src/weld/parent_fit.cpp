@@ -19,6 +19,7 @@ constexpr int kLongestLag = 60;         // of the residuals' correlation [cells]
 constexpr double kLeastScatter = 5e-7;  // [m]
 constexpr double kNearGuess = 4.0;      // flatnesses that a parent may lie off what the rows tell of it
 constexpr double kNeighbour = 1.5e-3;   // what is off a parent for longer is not spatter on it [m]
+constexpr double kHidden = 4.5e-3;      // no ball of spatter, at most 4 mm wide, hides it for longer [m]
 constexpr double kShrunkReach = 6e-4;   // where little of a parent is in view, it begins this far from the toe [m]
 
 struct Piece
@@ -146,6 +147,9 @@ double roomBeside(const SectionProfile& profile, const ParentPiece& from, const 
       return true;
     if (!(std::abs(guess.above(profile.q[i], profile.z[i])) > tolerance))
     {
+      // behind a clamp whose points were left out the plate is seen again
+      if (room > 0.0 && outward - off_from > kHidden)
+        return false;
       room = off_from = outward;
       return true;
     }

@@ -85,6 +85,24 @@ TEST(Neighbours, AShortPieceOfPlateBeforeABeadIsEnough)
       }
 }
 
+TEST(Neighbours, AClampAfterAShortPieceOfPlateIsPassedBy)
+{
+  IdealScanner scanner;
+  scanner.rows = 40;
+  scanner.noise = 1e-6;
+  for (int tenths = 36; tenths <= 60; tenths += 2)
+  {
+    SCOPED_TRACE(tenths);
+    const IdealWeld weld = offsetWeld();
+    const double plate = weld.x + 0.5 * weld.width + 1e-4 * tenths;  // its shadow is 1 mm long, its top 9.5 mm wide
+    const WeldResult result = WeldMeasurer().measure(scanner(
+        [&](double x, double y) {
+          return x < plate || x > plate + 0.0105 ? weld(x, y) : x < plate + 0.001 ? NAN : weld(x, y) + 0.005;
+        }));
+    expectWidth(result, std::hypot(0.008, weld.misalignment), 38);
+  }
+}
+
 TEST(Neighbours, ACrestCutOffByTheFieldsEdgeIsNoParent)
 {
   IdealScanner scanner;  // sees 21 mm to either side of its middle
